@@ -19,8 +19,8 @@ using SettingNumber = std::function<double(const MeasuredSetting&)>;
 double time_of_setting(const MeasuredSetting& setting) { return known_or_infinite(setting.frame_ms()); }
 double error_of_setting(const MeasuredSetting& setting) { return known_or_infinite(setting.error_px); }
 
-//! Returns the setting with the least `cost` among those that satisfy `may`. If costs are almost
-//! equal, the least `other` decides.
+//! Returns the index of the setting with the least `cost` among those that satisfy `may`; nothing
+//! if none does. Among costs within the factor `alike` of the least, the least `other` decides.
 std::optional<std::size_t> cheapest_setting(std::span<const MeasuredSetting> settings, const SettingFilter& may,
                                             const SettingNumber& cost, const SettingNumber& other) {
   double minimum = std::numeric_limits<double>::infinity();

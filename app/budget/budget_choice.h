@@ -16,24 +16,26 @@ struct MeasuredSetting {
   //! 99 % quantile of the displacement of directions, at the worst of the measured times [px of the
   //! whole picture].
   double error_px = std::numeric_limits<double>::quiet_NaN();
-  //! Time to build the lens for a new camera position; 0 if the camera does not move.
+  //! Time to build the lenses of a frame for a new camera position; 0 if neither the camera's r and
+  //! θ nor the spacetime change.
   double lens_ms = std::numeric_limits<double>::quiet_NaN();
-  //! Time of a picture whose lens exists: the constant part, and the part proportional to its
-  //! pixels, for the whole picture.
+  //! Time of a picture whose lens exists: the part that does not depend on its size, and the part
+  //! proportional to its number of pixels, at the size of the whole picture.
   double fixed_ms = std::numeric_limits<double>::quiet_NaN();
   double pixels_ms = std::numeric_limits<double>::quiet_NaN();
-  //! Number of times at which the error was measured; fewer than all if the error was too large at
-  //! one, or if time ran out.
+  //! Number of show times at which the error was measured; fewer than all if the error was too
+  //! large at one, or if time ran out.
   int moments = 0;
 
-  //! Returns the time of a picture with a share of the pixels, whose lens exists [ms].
+  //! Returns the time of a picture whose lens exists [ms]. `pixel_share`: its number of pixels
+  //! relative to the whole picture.
   [[nodiscard]] double picture_ms(double pixel_share = 1.0) const { return fixed_ms + pixel_share * pixels_ms; }
   //! Returns the time of a whole frame with its lens [ms].
   [[nodiscard]] double frame_ms() const { return lens_ms + picture_ms(); }
 };
 
-//! Safety factor: a setting is within a budget if its measured error is below this share of it,
-//! because unmeasured times and pixels may be worse. Close to a spinning hole they were up to 1.8
+//! Safety factor: a setting is within a budget if its measured error is at most this share of it,
+//! because other pixels and show times may be worse. Close to a spinning hole they were up to 1.8
 //! times worse.
 inline constexpr double kept_share = 0.5;
 
@@ -56,12 +58,13 @@ struct BudgetChoice {
 //!
 //! For an error alone: the cheapest setting within it. For a rate alone: the most accurate setting
 //! in time. For both: the cheapest that meets both; if there is none, the cheapest within the error
-//! or the most accurate in time, whichever half comes first. If not even that half can be met: the
-//! setting nearest to it. Where times are compared, those within 5 % count as equal, and the
-//! smaller error decides; where errors are compared, those within 5 % count as equal, and the
-//! shorter time decides. The filter of the sky map differs from the first setting's only if the
-//! rate requires it, because the measured errors do not include the filter. Values that were not
-//! measured count as infinite.
+//! or the most accurate in time, as `first` says. If not even that half can be met: the most
+//! accurate setting if it is the error, the cheapest if it is the rate. The cheapest has the
+//! shortest frame time. Where times are compared, those within 5 % count as equal, and the smaller
+//! error decides; where errors are compared, those within 5 % count as equal, and the shorter time
+//! decides. The filter of the sky map differs from the first setting's only if the rate requires
+//! it, because the measured errors do not include the filter. Values that were not measured count
+//! as infinite.
 BudgetChoice choose_setting(std::span<const MeasuredSetting> settings, const Budget& budget, BudgetFirst first);
 
 }  // namespace ergodome

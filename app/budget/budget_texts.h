@@ -10,7 +10,7 @@
 
 namespace ergodome {
 
-//! Describes settings: "lens of 0.35 px", "direct rays of 0.5 px, plain look at the map".
+//! Describes settings: "lens at 0.35 px", "direct rays at 0.5 px, point sampling of the sky map".
 std::string text_of(const FrameQuality& quality);
 
 //! Returns one line about the settings for the whole show: the choice, its error and time, where it
@@ -22,11 +22,13 @@ std::string choice_text(const Budget& budget, const SettingsMeasurement& measure
 std::string ladder_text(const Budget& budget, const SettingsMeasurement& measured, const std::vector<Rung>& ladder,
                         std::size_t first);
 
-//! Returns the achieved frame rate of a show: "rate 29.9 of 30 fps held over 598 frames; ...".
+//! Describes the achieved frame rate of a show: "budget 30fps: 29.90 fps over 598 frames (...". The
+//! budget must have a rate. `changes`: how often the rung changed; `rung`: the last one's index in
+//! a ladder of `rungs`.
 std::string record_text(const Budget& budget, const RateRecord& record, long changes, std::size_t rung,
                         std::size_t rungs);
 
-//! Returns one line about errors at random times of a show.
+//! Returns one line about errors at random times of a show. The budget must have an error.
 std::string check_text(const Budget& budget, const BudgetCheck& check);
 
 }  // namespace ergodome

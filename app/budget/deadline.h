@@ -22,9 +22,9 @@ class Deadline {
  public:
   Deadline(SecondsSource now, double limit_s) : now_(std::move(now)), begin_s_(now_()), limit_s_(limit_s) {}
 
-  //! Runs a unit of work if it is expected to end within a share of the time. Returns whether it
-  //! ran. It is expected to take `growth` times the longest earlier unit of its kind; for the first
-  //! one, `expected_s`, but at least a quarter of the time.
+  //! Runs a unit of work if it is expected to end before `share` of the time limit has passed.
+  //! Returns whether it ran. It is expected to take `growth` times the longest earlier unit of its
+  //! kind; for the first one, `expected_s`, but at least a quarter of that share.
   bool run(StartWork kind, const std::function<void()>& work, double share = 1.0, double growth = 1.5,
            double expected_s = 0.0) {
     constexpr double unknown_share = 0.25;
@@ -57,7 +57,7 @@ class Deadline {
   double limit_s_;
   std::array<double, 4> longest_s_{};
   bool cut_short_ = false;
-  bool over_ = false;  //!< the time is over, so the clock need not be read
+  bool over_ = false;  //!< the whole limit has passed, so run() need not read the clock
 };
 
 }  // namespace ergodome

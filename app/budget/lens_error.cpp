@@ -15,7 +15,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns a random integer in part `part` of `parts` of [0, whole).
+//! Divides [0, whole) into `parts` intervals of about equal length and returns a random integer in
+//! the one with index `part`.
 int within_part(std::mt19937_64& random, int part, int parts, int whole) {
   const auto begin = static_cast<std::int64_t>(part) * whole / parts;
   const auto end = static_cast<std::int64_t>(part + 1) * whole / parts;
@@ -68,8 +69,8 @@ std::vector<double> LensErrors::errors(Backend backend, const LensSource& lens, 
     const auto x = static_cast<std::size_t>(samples_.pixels[i]) % width;
     const Vector3<double> sky = {static_cast<double>(seen[width + x]), static_cast<double>(seen[2 * width + x]),
                                  static_cast<double>(seen[3 * width + x])};
-    // A dark pixel has no direction. A failed pixel has a NaN direction and counts as infinitely
-    // wrong.
+    // A dark pixel has no direction. A failed pixel has a NaN direction; its error is NaN, which
+    // summary_of() counts as infinite.
     const bool dark = !(seen[x] > 0.0F) || dot(sky, sky) == 0.0;
     if (reference_.counts(i) && (reference_.is_lit(i) || !dark)) {
       const Vector3<double> miss = reference_.miss(i, dark ? std::nullopt : std::optional(sky));

@@ -19,7 +19,8 @@ struct RowSamples {
 };
 
 //! Picks a random row in each of `rows` bands of a picture, and a random pixel in each of `columns`
-//! parts of each row. The same seed gives the same pixels on every machine.
+//! parts of each row. Both numbers are clamped from 1 to the picture's size. The same seed gives
+//! the same pixels on every machine.
 RowSamples row_samples(const Projection& projection, int rows, int columns, std::uint64_t seed);
 
 //! Measures lenses against exact rays for some pixels of a picture.
@@ -28,11 +29,11 @@ class LensErrors {
   //! `pixel` is the angle that counts as an error of one pixel [rad].
   LensErrors(const EyeCamera& eye, const Projection& projection, RowSamples samples, double pixel);
 
-  //! Returns the displacements on the screen [px] of the pixels that see something, in the lens or
-  //! exactly; skips others.
+  //! Returns the displacements on the screen [px] at the pixels where the lens or the exact ray
+  //! sees the sky; skips others, and those that PixelReference::counts() excludes.
   //!
-  //! `lens` is the lens of the eye, in the memory of `backend`. `need` is what else the picture
-  //! needs from it.
+  //! `lens` is the lens of the eye, in the memory of `backend`. `need`: what the lens computes, as
+  //! for the picture; footprints are not compared.
   [[nodiscard]] std::vector<double> errors(Backend backend, const LensSource& lens, PixelNeed need) const;
 
  private:
@@ -52,9 +53,10 @@ struct BudgetCheck {
 //! Number of rows to measure per frame, and of pixels in each, enough for a 99 % quantile.
 inline constexpr int usual_checked_rows = 96;
 
-//! Measures the lenses of frames of `size_px` (0: the show's) at random times of the show that the
-//! renderer was made for, against rays in closed form. The same seed gives the same times and
-//! pixels on every machine. `rows` is the number of rows to measure, and of pixels in each.
+//! Measures the lenses of frames of width `size_px` (0: the show's) at random times of the show
+//! that the renderer was made for, against rays in closed form. The same seed gives the same times
+//! and pixels on every machine. `rows` is the number of rows to measure, and of pixels in each.
+//! Leaves `quality` set in the renderer.
 BudgetCheck check_error(ShowRenderer& renderer, const Show& show, const FrameQuality& quality, int size_px, int moments,
                         std::uint64_t seed, int rows = usual_checked_rows);
 

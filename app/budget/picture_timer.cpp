@@ -10,13 +10,14 @@ namespace ergodome {
 
 namespace {
 
-//! Widths of the pictures from which times are extrapolated if the whole picture is wider.
+//! Widths of the pictures from which times are extrapolated if the whole picture is wider than
+//! both.
 constexpr int small_px = 160;
 constexpr int larger_px = 384;
 constexpr int timed_draws = 2;
 //! Angle by which the camera is rotated about the hole's axis between two timed pictures [rad].
 constexpr double min_turn = 1e-9;
-//! Minimum share of a picture's time that is proportional to its pixels.
+//! Minimum share of a whole picture's time that is assumed to be proportional to its pixels.
 constexpr double min_by_pixels = 0.3;
 
 }  // namespace
@@ -46,8 +47,8 @@ std::optional<PictureTime> PictureTimer::time(const FrameQuality& quality) {
   if (times_ms.size() < 2) {
     return PictureTime{0.0, by_pixels_ms};
   }
-  // Line through both points, with a positive slope and a non-negative offset even if other load
-  // disturbed the measurement.
+  // Line through both points (share of the pixels, time), with a positive slope and a non-negative
+  // offset even if other load disturbed the measurement.
   const double slope_ms = (times_ms[1] - times_ms[0]) / (shares[1] - shares[0]);
   const double pixels_ms = std::clamp(slope_ms, min_by_pixels * by_pixels_ms, by_pixels_ms);
   return PictureTime{times_ms[1] - pixels_ms * shares[1], pixels_ms};
@@ -75,7 +76,8 @@ std::optional<double> PictureTimer::draw(const TimedMoment& moment, const FrameQ
   double time_ms = 0.0;
   const auto work = [&] {
     renderer_.apply(moment.time_s);
-    // The lens of the whole picture is made for the same angle, and is reused here.
+    // Scales the budget to the pixels of this size: as an angle it stays that of the whole picture,
+    // so that the renderer reuses the lens.
     const double width_share = static_cast<double>(width_px) / whole_px_;
     renderer_.set_quality({width_share * quality.budget_px, quality.lens, quality.filter});
     const Projection projection = make_projection(renderer_.show().view, width_px, 0.0);

@@ -21,24 +21,24 @@ struct PictureTime {
   double pixels_ms = 0.0;
 };
 
-//! Estimates the time of whole pictures from pictures of two small sizes, or measures the whole one
-//! if that is small.
+//! Estimates the time of whole pictures from pictures of two small sizes. A whole picture of at
+//! most 384 px in width is measured itself.
 class PictureTimer {
  public:
-  //! `share` is the share of the deadline after which no picture is started.
+  //! A picture is only drawn if it is expected to end before this share of the deadline's time.
   PictureTimer(ShowRenderer& renderer, Deadline& deadline, std::vector<TimedMoment> moments, int whole_px,
                double share);
 
-  //! Returns a time from medians of pictures whose lenses exist; nothing if time ran out. The
-  //! budget of `quality` is in pixels of the whole picture.
+  //! Returns a time from medians of pictures whose lenses exist; nothing if time ran out before
+  //! each size was timed. The budget of `quality` is in pixels of the whole picture.
   [[nodiscard]] std::optional<PictureTime> time(const FrameQuality& quality);
 
-  //! Returns the time of the fastest picture drawn, and its width: a lower limit for a whole one.
-  //! NaN if none was drawn.
+  //! Return the time of the fastest picture drawn, a lower limit for a whole one, and its width;
+  //! NaN and 0 if none was drawn.
   [[nodiscard]] double quickest_ms() const { return quickest_ms_; }
   [[nodiscard]] int quickest_px() const { return quickest_px_; }
 
-  //! Returns the widths of the drawn pictures.
+  //! Returns the widths of the pictures that time() draws: two small ones, or only the whole one.
   [[nodiscard]] const std::vector<int>& widths_px() const { return widths_px_; }
 
  private:

@@ -24,7 +24,7 @@ constexpr std::size_t telling_errors = 100;
 constexpr std::size_t sure_errors = 500;
 //! While errors exceed the allowed error, the lens's budget is multiplied by this.
 constexpr double finer_step = 0.7;
-//! At this share of its original value, the lens's budget is not reduced further.
+//! Once the lens's budget is at most this share of the rung's, it is not reduced further.
 constexpr double finest_share = 0.1;
 //! If errors are below this share of the allowed error, one reduction of the budget is undone.
 constexpr double far_within = 0.25;
@@ -41,9 +41,11 @@ std::vector<double> rung_times(const std::vector<Rung>& ladder) {
 //! Minimum width of pictures that are reduced to hold a rate.
 constexpr int narrowest_px = 192;
 
-//! Returns a single rung for an error alone; the player chooses the size itself.
+//! Returns the only rung of a budget without a frame rate. It has the size of whole pictures; the
+//! player may choose another.
 std::vector<Rung> single_rung(const SettingsMeasurement& measured, const Budget& budget) {
-  // Both kinds of lens may be used, so choose a setting of the first one's kind.
+  // Leaves out direct rays that were measured as an alternative to an automatic lens: at other
+  // sizes, `automatic` selects between grid and rays itself.
   std::vector<MeasuredSetting> lenses = measured.settings;
   std::erase_if(
       lenses, [&](const MeasuredSetting& each) { return each.quality.lens != measured.settings.front().quality.lens; });
@@ -68,7 +70,7 @@ PlayBudget::PlayBudget(const PlayPlan& plan) : plan_(plan) {
 
 void PlayBudget::note_picture(double work_ms, std::optional<double> interval_ms) {
   work_ms_ = work_ms;
-  // Frames of a static camera are refined as far as possible and may take any time.
+  // Frames without motion do not count: they are refined as far as possible and may take any time.
   if (keeper_ && interval_ms) {
     keeper_->note(work_ms, *interval_ms);
     record_->note(*interval_ms);

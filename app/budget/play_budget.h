@@ -16,13 +16,14 @@ namespace ergodome {
 struct PlayPlan {
   Budget budget;
   std::vector<Rung> ladder;  //!< at least one rung
+  //! Index of the rung to start with.
   std::size_t first = 0;
   int whole_px = 0;           //!< width of a whole picture; errors are in its pixels
   double patience_ms = 20.0;  //!< LadderLimits::patience_ms
 };
 
 //! Returns how long a frame of a running show may wait for its lens before it uses an older one
-//! [ms]; this depends on the frame rate.
+//! [ms]: 40 % of the frame time of the budget's rate, at most 20 ms.
 double lens_patience_ms(const Budget& budget);
 
 //! Keeps a running show within its budget and records its cost. Reads no clock: callers pass the
@@ -36,18 +37,19 @@ class PlayBudget {
   [[nodiscard]] Rung rung() const;
   [[nodiscard]] const PlayPlan& plan() const { return plan_; }
 
-  //! Records that a picture took `work_ms` to draw and came `interval_ms` after the one before, if
-  //! something moved in both.
+  //! Records that a picture took `work_ms` to draw. `interval_ms`: time since the one before; only
+  //! given if something moved in both, and otherwise neither time counts for the rate.
   void note_picture(double work_ms, std::optional<double> interval_ms);
 
-  //! Returns whether the next picture should be measured too. This happens rarely, so that it costs
-  //! little.
+  //! Returns whether errors of the next picture should be measured: a second has passed since
+  //! ask_errors(), which records that a measurement was requested.
   [[nodiscard]] bool wants_errors(double now_s) const { return now_s >= errors_due_s_; }
   void ask_errors(double now_s);
-  //! Adds errors of some pixels of a picture [px of the whole picture].
+  //! Adds errors of some pixels of a picture [px of the whole picture], and makes the lens of
+  //! rung() finer or coarser if the errors require or allow it.
   void note_errors(const std::vector<double>& errors_px);
-  //! Returns the 99 % quantile of the last measured errors [px]; before there are any, the value
-  //! measured at the start.
+  //! Returns the 99 % quantile of the last measured errors [px]; with fewer than 100 of them, the
+  //! rung's error measured at the start.
   [[nodiscard]] double error_px() const;
 
   //! Returns a line for the screen: the budget, the error, and with a rate the time of the last
@@ -86,7 +88,7 @@ struct PlanWithText {
 };
 
 //! Measures the show that the renderer was made for, and makes the ladder of settings to play it
-//! with.
+//! with: one rung if the budget has no frame rate.
 PlanWithText plan_play(ShowRenderer& renderer, const Show& show, const PlayChoice& choice);
 
 }  // namespace ergodome

@@ -9,12 +9,12 @@ namespace ergodome {
 
 namespace {
 
-//! Number of frames for the median of frame times, and for the median that detects frames that are
-//! far too slow.
+//! Number of frames for the median of drawing times, and for the median that detects frames that
+//! are far too slow.
 constexpr std::size_t median_frames = 9;
 constexpr std::size_t few_frames = 3;
-//! Share of the frame time that drawing may take; the rest is for the window and for frames slower
-//! than the median.
+//! Maximum median drawing times, as shares of the frame time: of the last `median_frames`, which
+//! leaves time for the window and for slower frames, and of the last `few_frames`.
 constexpr double max_work = 0.85;
 constexpr double far_too_much_work = 1.5;
 //! Share of the frame time that the next finer rung may be predicted to take, so that it is tried.
@@ -29,9 +29,9 @@ constexpr std::size_t interval_frames = 30;
 //! Seconds of fast frames before a finer rung is tried: initial value and maximum.
 constexpr double first_patience_s = 1.0;
 constexpr double max_patience_s = 60.0;
-//! Seconds after which a new rung counts as proven.
+//! Seconds after which a rung that was reached from below counts as proven.
 constexpr double proof_s = 2.0;
-//! Assumed time ratio of a finer rung if it was not measured.
+//! Assumed ratio of the time of the next finer rung to the current one's, if either is unknown.
 constexpr double unknown_ratio = 1.5;
 
 long frames_in(double seconds, double frame_ms) {
@@ -45,7 +45,7 @@ double median_of_last(const std::deque<double>& values, std::size_t count) {
   return *middle;
 }
 
-//! Returns the mean without the longest tenth.
+//! Returns the mean of the values without the largest tenth of them.
 double mean_but_spikes(const std::deque<double>& values) {
   std::vector<double> sorted(values.begin(), values.end());
   std::sort(sorted.begin(), sorted.end());

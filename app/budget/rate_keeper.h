@@ -11,18 +11,19 @@ namespace ergodome {
 //! Holds a frame rate: receives the time of each frame and selects the rung of a ladder for the
 //! next one. Reads no clock: callers pass the times.
 //!
-//! Goes one rung down (faster) if the median of the last frames takes too much of the frame time; a
-//! single slow frame changes nothing. Goes one rung up if frames were fast enough for long enough
-//! that the finer rung would fit by the predicted ratio. If that rung proves too slow, the waiting
-//! time before the next attempt doubles, so that the rate does not oscillate between two rungs.
+//! Goes one rung down (faster) if the median drawing time of the last frames takes too much of the
+//! frame time, or if they come late; a single slow frame changes nothing. Goes one rung up once
+//! drawing times, scaled by the predicted ratio of the finer rung, have fitted for long enough. If
+//! that rung proves too slow, the waiting time before the next attempt doubles, so that the rate
+//! does not oscillate between two rungs.
 class RateKeeper {
  public:
   //! `rung_ms`: predicted times of the rungs, decreasing; NaN: unknown. `frame_ms`: frame time at
-  //! the requested rate.
+  //! the requested rate. `first`: index of the rung to start with.
   RateKeeper(std::vector<double> rung_ms, double frame_ms, std::size_t first);
 
   //! Records that a frame on the current rung took `work_ms` to draw and came `interval_ms` after
-  //! the last one.
+  //! the last one, and selects the rung for the next. Ignores the times of a rung's first frame.
   void note(double work_ms, double interval_ms);
 
   [[nodiscard]] std::size_t rung() const { return rung_; }
@@ -46,7 +47,7 @@ class RateKeeper {
   std::deque<double> interval_ms_;
   long frames_here_ = 0;   //!< number of frames on this rung
   long frames_quick_ = 0;  //!< consecutive frames so fast that the finer rung would fit
-  long patience_;          //!< number of such frames to wait for
+  long patience_;          //!< the finer rung is tried after more than this many of them
   bool trying_ = false;    //!< this rung was reached from below and is not proven yet
   long changes_ = 0;
 };
@@ -66,7 +67,7 @@ class RateRecord {
   [[nodiscard]] long frames() const { return frames_; }
   //! Returns the mean rate [Hz]; 0 before the first frame.
   [[nodiscard]] double rate_hz() const { return frames_ > 0 ? 1000.0 * static_cast<double>(frames_) / sum_ms_ : 0.0; }
-  //! Returns the fraction of frames late by at least half a frame time.
+  //! Returns the fraction of frames whose interval is longer than 1.5 frame times.
   [[nodiscard]] double late() const {
     return frames_ > 0 ? static_cast<double>(late_) / static_cast<double>(frames_) : 0.0;
   }

@@ -9,11 +9,12 @@ namespace ergodome {
 
 namespace {
 
-//! Ratio of the widths of adjacent rungs: a third fewer pixels.
+//! Ratio of adjacent widths: a third fewer pixels.
 constexpr double width_step = 0.82;
-//! Without an error budget, lenses coarser than this come after smaller pictures [px].
+//! Without an error in the budget, lenses with a larger measured error than this come after smaller
+//! pictures [px].
 constexpr double unseen_px = 1.0;
-//! A rung must be faster than the one before by this factor.
+//! A rung is only added if its predicted time is less than this times that of the one before.
 constexpr double min_gain = 0.97;
 
 class LadderMaker {
@@ -25,7 +26,7 @@ class LadderMaker {
     Rung rung{lens.quality, size_px, lens.error_px, lens.moments, frame_ms(lens, size_px, plain_filter)};
     const MeasuredSetting* const direct = direct_twin(lens);
     if (direct != nullptr && lens.quality.lens == LensChoice::automatic) {
-      // At this size the renderer may use the grid or direct rays, so the larger error counts.
+      // The renderer may select the grid or direct rays, so the larger error counts.
       rung.error_px = std::max(rung.error_px, direct->error_px);
     }
     if (plain_filter) {
@@ -40,7 +41,7 @@ class LadderMaker {
   [[nodiscard]] std::vector<Rung> take() { return std::move(ladder_); }
 
  private:
-  //! Returns the setting with the same budget and direct rays, if it was measured.
+  //! Returns the setting with the same budget and filter, but direct rays; null if not measured.
   [[nodiscard]] const MeasuredSetting* direct_twin(const MeasuredSetting& lens) const {
     const auto found = std::ranges::find_if(settings_, [&](const MeasuredSetting& each) {
       return each.quality == FrameQuality{lens.quality.budget_px, LensChoice::direct, lens.quality.filter};
@@ -48,8 +49,8 @@ class LadderMaker {
     return found != settings_.end() ? &*found : nullptr;
   }
 
-  //! Returns a measured setting of this kind of lens with the point filter, if any: the time that
-  //! this filter saves does not depend on the lens's budget.
+  //! Returns a measured setting of this kind of lens with the point filter, of any budget: the time
+  //! that this filter saves does not depend on it. Null if there is none.
   [[nodiscard]] const MeasuredSetting* plain_twin(const MeasuredSetting& lens) const {
     const auto found = std::ranges::find_if(settings_, [&](const MeasuredSetting& each) {
       return each.quality.lens == lens.quality.lens && each.quality.filter == SkyFilter::point;
@@ -75,8 +76,8 @@ class LadderMaker {
   std::vector<Rung> ladder_;
 };
 
-//! Returns the lenses of the ladder, the most accurate first; without the variants by direct rays
-//! and with the point filter.
+//! Returns the settings with the first one's kind of lens and filter, those with the finest budget
+//! first.
 std::vector<MeasuredSetting> ladder_lenses(std::span<const MeasuredSetting> settings) {
   std::vector<MeasuredSetting> lenses;
   const FrameQuality first = settings.front().quality;
@@ -97,7 +98,8 @@ std::vector<int> ladder_widths(const LadderLimits& limits) {
 }
 
 //! Returns the lenses that come before smaller pictures; the last of them is used at all sizes.
-//! With an error budget: only the cheapest within it. Without: all with invisible errors.
+//! With an error in the budget: one, choose_setting() for that error. Without: all before the first
+//! whose error exceeds `unseen_px`, at least one. `lenses` starts with the finest budget.
 std::span<const MeasuredSetting> fine_lenses(std::span<const MeasuredSetting> lenses, const Budget& budget) {
   if (budget.error_px) {
     const BudgetChoice choice = choose_setting(lenses, {budget.error_px, std::nullopt}, BudgetFirst::error);

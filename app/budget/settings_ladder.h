@@ -25,27 +25,28 @@ struct LadderLimits {
   double height_to_width = 1.0;  //!< ratio of height to width of one eye's picture
   //! How long a frame waits for its lens before it uses an older one.
   double patience_ms = 20.0;
-  //! With an automatic lens, pictures with fewer pixels use direct rays.
+  //! With an automatic lens, pictures with fewer pixels than this use direct rays.
   double grid_from_pixels = 0.0;
 };
 
 //! Returns the settings for a running show that has to hold a rate, the most accurate first, each
-//! predicted to be faster than the one before.
+//! predicted to be faster than the one before; if times are unknown, all are returned.
 //!
-//! If the budget has an error, all rungs but the last ones are within it: the cheapest lens within
-//! the error in smaller and smaller pictures, then with the point filter for the sky map. Coarser
-//! lenses follow only if that is not enough. If the budget has no error, coarser lenses (up to one
-//! pixel of error) come before smaller pictures. Adjacent rungs differ by a third of the pixels or
-//! half the lens's budget, so that no step is visible as a jump.
+//! If the budget has an error: the cheapest lens within it in smaller and smaller pictures, then
+//! the smallest picture with the point filter for the sky map, then that with coarser lenses, which
+//! may exceed the error. If it has no error: whole pictures with coarser and coarser lenses, up to
+//! one pixel of error, then the same steps. Adjacent sizes differ by at most a third of the pixels,
+//! so that no step is visible as a jump.
 std::vector<Rung> settings_ladder(std::span<const MeasuredSetting> settings, const Budget& budget,
                                   const LadderLimits& limits);
 
-//! Returns the first rung whose predicted time fits the frame time of the rate. If none does, or if
-//! no time is known, returns the smallest picture with the best settings; the RateKeeper continues
-//! from there.
+//! Returns the index of the first rung whose predicted time is at most foretold_share of the frame
+//! time. If there is none, or if no time is known, returns that of the first rung with the smallest
+//! pictures; the RateKeeper continues from there.
 std::size_t first_rung(std::span<const Rung> ladder, double frame_ms);
 
-//! Share of the frame time that a picture may be predicted to take; the window needs the rest.
+//! Maximum share of the frame time that the first rung may be predicted to take; the window needs
+//! the rest.
 inline constexpr double foretold_share = 0.65;
 
 }  // namespace ergodome

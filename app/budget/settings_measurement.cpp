@@ -28,15 +28,16 @@ constexpr int budget_moments = 6;
 constexpr int sampled_rows = 32;
 constexpr int sampled_columns = 32;
 constexpr std::size_t timed_moments = 2;
-//! Shares of the time limit at which each stage stops, to leave time for the later ones.
+//! Shares of the time limit after which no work of a stage is planned (exact rays, timed pictures,
+//! errors of lenses), to leave time for the later stages.
 constexpr double moments_share = 0.25;
 constexpr double pictures_share = 0.6;
 constexpr double lenses_share = 0.9;
-//! Range of a lens's budget relative to the error budget; grids are mostly better than their
-//! budget.
+//! Range of budgets of lenses relative to the budget's error. It starts above 1, because grids are
+//! mostly better than their budget.
 constexpr double loosest_lens = 2.0;
 constexpr double finest_lens = 0.03;
-//! Range of a lens's budget without an error in the budget [px].
+//! Range of budgets of lenses if the budget has no error [px].
 constexpr double loosest_px = 0.5;
 constexpr double finest_px = 0.015;
 
@@ -123,7 +124,7 @@ class SettingsMeter {
     return moment;
   }
 
-  //! Return the budget of the first lens to measure, and of the last.
+  //! Return the coarsest budget of a lens to measure, which is the first, and the finest [px].
   [[nodiscard]] double loosest_budget() const {
     return order_.budget.error_px ? loosest_lens * *order_.budget.error_px : loosest_px;
   }
@@ -131,8 +132,8 @@ class SettingsMeter {
     return order_.budget.error_px ? finest_lens * *order_.budget.error_px : finest_px;
   }
 
-  //! Returns the budget of the next lens: finer by the ratio of the measured error to the limit,
-  //! within limits on the step.
+  //! Returns the budget of the lens to measure after `setting`: its budget times the ratio of the
+  //! allowed to its measured error, clamped from 0.25 to 0.71; times 0.5 if no error is required.
   [[nodiscard]] double next_budget(const MeasuredSetting& setting) const {
     constexpr double shortest = 0.70710678118654752;
     constexpr double longest = 0.25;
@@ -140,7 +141,8 @@ class SettingsMeter {
     return setting.quality.budget_px * std::clamp(wished, longest, shortest);
   }
 
-  //! Measures lenses from the coarsest to the first within the budget, or as fine as time allows.
+  //! Measures lenses of one kind from the coarsest to the first within the budget's error, or as
+  //! fine as time allows, and adds them to the settings.
   void search(LensChoice lens) {
     double budget_px = loosest_budget();
     while (budget_px >= finest_budget()) {
@@ -157,15 +159,16 @@ class SettingsMeter {
       budget_px = next_budget(setting);
     }
     if (result_.settings.empty()) {
-      // Nothing was measured, so use the show's budget.
+      // Nothing was measured, so use the renderer's budget, at most the coarsest one.
       MeasuredSetting setting;
       setting.quality = {std::min(first_quality_.budget_px, loosest_budget()), lens, first_quality_.filter};
       result_.settings.push_back(setting);
     }
   }
 
-  //! Measures direct rays with the coarsest sufficient budget, and with the lens's budget. The
-  //! first is an alternative to the lens; `automatic` draws small pictures with the second.
+  //! Measures direct rays: if the budget has an error, with the coarsest sufficient budget, as an
+  //! alternative to the lens; then with the lens's budget `lens_px`, because `automatic` draws
+  //! small pictures with those.
   void search_direct(double lens_px) {
     if (order_.budget.error_px) {
       search(LensChoice::direct);
@@ -180,8 +183,8 @@ class SettingsMeter {
     }
   }
 
-  //! Measures the error and the time of a lens at all times, until one exceeds the budget. Returns
-  //! whether all were measured and are within it.
+  //! Measures the error and the building time of a lens at all moments, until an error exceeds the
+  //! budget's or time runs out. Returns whether all were measured and are within it.
   bool measure_lens(MeasuredSetting& setting, double share) {
     std::vector<double> times_ms;
     bool within = true;
@@ -218,7 +221,8 @@ class SettingsMeter {
   //! because the renderer would reuse a finer grid for those.
   [[nodiscard]] double coarse_px() const { return 1.1 * loosest_budget(); }
 
-  //! Determines which lens `automatic` selects.
+  //! Determines whether the whole picture's lens is one of direct rays although the operator chose
+  //! `automatic`.
   void check_lens() {
     const auto visit = [&] {
       const BudgetMoment& moment = moments_.front();
@@ -230,8 +234,8 @@ class SettingsMeter {
     deadline_.run(StartWork::lens, visit);
   }
 
-  //! Measures the times of pictures for each kind of lens and filter; a lens's budget hardly
-  //! affects them.
+  //! Measures the times of pictures for each kind of lens and filter that settings may have, with
+  //! one budget, because that hardly affects them.
   void time_pictures() {
     std::vector<TimedMoment> moments;
     for (std::size_t i = 0; i < std::min(timed_moments, moments_.size()); ++i) {
@@ -261,8 +265,8 @@ class SettingsMeter {
     }
   }
 
-  //! Copies the times of pictures to the settings of the same kind, and adds a setting with the
-  //! point filter, which has the error of its lens.
+  //! Copies the times of pictures to the settings with the same kind of lens and filter. If the
+  //! point filter was timed too, adds a copy of the first setting with that filter before.
   void add_times() {
     for (const KindTimes& times : times_) {
       if (times.filter != first_quality_.filter) {
@@ -302,7 +306,8 @@ std::vector<double> budget_times(const Show& show, int count) {
     return {0.5 * show.duration_s};
   }
   constexpr int sample_count = 400;
-  // Near the smaller horizon of a fast spin, light bending has finer detail.
+  // Finds the minimum of r plus the horizon's radius: near the smaller horizon of a fast spin,
+  // light bending has finer detail than at the same r outside a larger one.
   double nearest_s = 0.0;
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= sample_count; ++i) {

@@ -35,7 +35,8 @@ struct SettingsMeasurement {
   std::vector<double> times_s;            //!< show times at which errors were measured
   int width_px = 0;                       //!< width of one eye's whole picture
   double height_to_width = 1.0;           //!< ratio of height to width of one eye's whole picture
-  //! Widths of the drawn pictures from which times were extrapolated; empty: none.
+  //! Widths of the pictures that were timed: two, from which times were extrapolated, or only
+  //! `width_px`; empty: none.
   std::vector<int> drawn_px;
   UntimedFrames untimed = UntimedFrames::none;
   //! If whole frames were not timed: the time of the fastest picture drawn; NaN: none was drawn.
@@ -45,19 +46,19 @@ struct SettingsMeasurement {
   double took_s = 0.0;
 };
 
-//! Measures errors and times of settings at a few times of the show that the renderer was made for.
-//! Errors are those of the whole picture's lens, in some of its pixels, against rays in closed
-//! form; times of whole frames are extrapolated from pictures of two small sizes.
+//! Measures errors and times of settings at a few times of `show`, the show that the renderer was
+//! made for. Errors are those of the whole picture's lens, in some of its pixels, against rays in
+//! closed form; times of whole frames come from a PictureTimer.
 //!
-//! With an error in the budget, lenses get finer until one is within it, including kept_share; with
-//! a rate alone, as fine as time allows. Disk, shells and objects add to the time but not to the
-//! error. If objects are drawn as polygons and there is no GPU, no picture is drawn, because OpenGL
-//! takes seconds to start. In stereo, the head's view represents both eyes. Restores the renderer's
-//! quality. Throws what rendering throws.
+//! With an error in the budget, lenses get finer until one is within kept_share of it; with a rate
+//! alone, down to 0.015 px or as fine as time allows. Disk, shells and objects add to the time but
+//! not to the error. If objects are drawn as polygons and there is no GPU, no picture is drawn,
+//! because OpenGL takes seconds to start. In stereo, the head's view represents both eyes. Restores
+//! the renderer's quality. Throws what rendering throws.
 SettingsMeasurement measure_settings(ShowRenderer& renderer, const Show& show, const MeasurementOrder& order);
 
-//! Returns the show times to measure at: first where the camera is nearest to the hole, then evenly
-//! spaced.
+//! Returns `count` show times to measure at [s]: first where r plus the horizon's radius is
+//! smallest, then evenly spaced. If nothing moves, returns only the middle of the show.
 std::vector<double> budget_times(const Show& show, int count);
 
 }  // namespace ergodome

@@ -2,7 +2,8 @@
 
 namespace ergodome {
 
-//! Makes SIGINT (Ctrl-C) and SIGTERM request a stop; the second one ends the program at once.
+//! Makes SIGINT (Ctrl-C) and SIGTERM request a stop; a second one of the same kind ends the program
+//! at once.
 void catch_interrupts();
 
 //! Makes SIGHUP request a stop as well, however often it comes.

@@ -43,7 +43,7 @@ std::filesystem::path trajectory_beside(const Show& show) {
   return std::filesystem::path(show.folder) / (show.name + ".trajectory");
 }
 
-//! Describes what is drawn where stations are too coarse.
+//! Describes what happens with pictures of this projection if stations are too coarse.
 const char* stand_in_for_stream(const Projection& projection, const LensOptions& options, Backend backend) {
   if (lens_choice(options) == LensChoice::streamed) {
     return "frames exceed the budget";

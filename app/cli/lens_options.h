@@ -35,13 +35,13 @@ LensChoice lens_choice(const LensOptions& options);
 //! A function that receives a note for the user.
 using NoteSink = std::function<void(const std::string&)>;
 
-//! Prints a note on the terminal unless it was printed before. Thread-safe.
+//! Prints a note on stderr unless this function has printed the same text before. Thread-safe.
 void print_note_once(const std::string& note);
 
 //! Opens the stream of a show's baked stations. Returns null if there is no trajectory or the
-//! choice needs none. Throws Error if a requested trajectory cannot be used; one that was merely
-//! found in the show's folder is skipped with a note. `report` is also called from the stream's
-//! thread, for stations that cannot be read.
+//! choice needs none. Throws Error if --trajectory or --lens streamed asks for one that is missing
+//! or cannot be used; otherwise an unusable one in the show's folder is skipped with a note.
+//! `report` is also called from the stream's thread, for stations that cannot be read.
 std::shared_ptr<StationStream> open_stream(const Show& show, const LensOptions& options, Backend backend,
                                            NoteSink report = print_note_once);
 
@@ -53,8 +53,9 @@ void require_used_memory(const Show& show, const LensOptions& options);
 //! (0: the show's).
 bool is_fine_enough(const StationStream& stream, const Show& show, int size_px);
 
-//! Returns notes on a stream for pictures of this width (0: the show's): that it is too coarse and
-//! what is used instead, or that parts of it exceed the budget. Empty if there is no stream.
+//! Returns at most one note on a stream for pictures of this width (0: the show's): that it is too
+//! coarse and what is used instead, that parts of it exceed the budget, or that stereo model omni
+//! does not use it although it was asked for. Empty if there is no stream.
 std::vector<std::string> stream_notes(const StationStream* stream, const Show& show, const LensOptions& options,
                                       Backend backend, int size_px);
 

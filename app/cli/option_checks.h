@@ -30,7 +30,7 @@ CLI::Validator number_between(double minimum, double maximum);
 //! rate. For transform(), because check() cannot change the value.
 CLI::Validator frame_rate_between(double minimum, double maximum);
 
-//! Returns a check for show times [s] without limits.
+//! Returns a check for show times [s]: any number from -1e12 to 1e12.
 CLI::Validator show_time();
 
 //! Options of a command that have no effect, given the value of another option or the kind of a

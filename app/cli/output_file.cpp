@@ -31,7 +31,8 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   return cells;
 }
 
-//! Returns a cell as JSON: a number with all its digits, null if it is empty, otherwise a string.
+//! Returns a cell as JSON: a number with all its digits, null if it is empty or non-finite,
+//! otherwise a string. Cells of the column `id` are never numbers.
 std::string json_of_cell(std::string_view column, std::string_view cell) {
   const bool number = column != "id" && cell.find_first_of("0123456789") != std::string_view::npos &&
                       nlohmann::json::accept(cell.begin(), cell.end());

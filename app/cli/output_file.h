@@ -28,9 +28,10 @@ void require_other_png(const std::string& option, const std::filesystem::path& w
 //! an array of objects.
 void require_table_ending(const std::string& option, const std::filesystem::path& table);
 
-//! Writes a table in the format given by its ending. `csv` is its text, with a header line. Numbers
-//! keep their digits in every format; in JSON, cells of `id` are strings and empty cells null.
-//! Throws Error if it cannot be written.
+//! Writes a table in the format given by its ending. `csv` is its text, with a header line and
+//! without quotes. Numbers keep their digits in every format. In JSON, cells of `id` are strings,
+//! and empty and non-finite cells are null. Throws Error if it cannot be written, or if a cell of a
+//! .tsv table contains a tab.
 void write_table(const std::filesystem::path& table, std::string_view csv);
 
 }  // namespace ergodome

@@ -20,7 +20,7 @@ namespace ergodome {
 
 namespace {
 
-//! Converts a position to axes tilted to the front by an angle.
+//! Converts a position to axes that are tilted to the front by an angle [deg].
 Vector3<double> leaned(const Vector3<double>& position, double angle_deg) {
   const double cosine = std::cos(angle_deg * one_degree);
   const double sine = std::sin(angle_deg * one_degree);

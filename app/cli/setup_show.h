@@ -15,15 +15,16 @@ namespace ergodome {
 
 //! Makes a show render the domemaster that the warps of a setup sample: 180°, equidistant,
 //! uncropped, from inside, correct as seen from the setup's viewer. A tilt given in the setup
-//! replaces the show's, unless that is artistic. Throws Error if the show's layout puts two eyes
-//! into one picture; the error is a UsageError if that layout is `stereo`, which was given on the
-//! command line (empty: not given).
+//! replaces the show's, unless that is artistic. Throws Error if the show's layout is neither
+//! `mono` nor `separate`; the error is a UsageError if the layout was given on the command line, as
+//! `stereo` (empty: not given).
 void fit_to_setup(Show& show, const DomeSetup& setup, const std::string& stereo = {});
 
-//! Returns the projectors' names for files, with safe characters only, each different.
+//! Returns the projectors' names for files: characters other than letters, digits and - become _,
+//! and a name that is already taken gets its projector's number added.
 std::vector<std::string> plain_names(const DomeSetup& setup);
 
-//! Writes the projectors' views of numbered frames, without a display.
+//! Writes the images that a dome's projectors show of numbered frames, without a display.
 class ProjectorFrames {
  public:
   //! Throws Error if HeadlessProjectors cannot be created.
@@ -34,7 +35,7 @@ class ProjectorFrames {
   //! FOLDER/NAME_000001_PROJECTOR.png).
   void write(const std::filesystem::path& frame, const Picture& master, const FrameMetadata& metadata = {});
 
-  //! Returns the number of pixels of all projectors.
+  //! Returns the total number of pixels of all projectors.
   [[nodiscard]] std::uintmax_t pixels() const;
 
   //! Returns the files that write() writes for a frame.
@@ -70,8 +71,8 @@ struct ProjectedPatterns {
 //! dome. Returns the number of files.
 int write_pattern_frames(const ProjectedPatterns& asked, const DomeSetup& setup);
 
-//! Returns a domemaster of a setup in which up is vertical in the tilted and rotated dome. Its
-//! front is the setup's rotation to the right of the dome's front.
+//! Returns the projection of a setup's domemaster, `size_px` wide, with the rotation by which
+//! projectors turn it to the right: patterns that are drawn for it are level in the tilted dome.
 PatternView upright_master(const DomeSetup& setup, int size_px);
 
 }  // namespace ergodome

@@ -62,7 +62,7 @@ std::optional<std::pair<int, int>> part_of(const std::string& text) {
 
 BakeSettings settings_of(const BakeOptions& options, const Show& show) {
   BakeSettings settings;
-  // A changing field of view is baked at its finest pixel scale.
+  // An animated field of view is baked at its minimum, where pixels are finest.
   const ViewSettings view = show_at_least(show).view;
   const Projection projection = make_projection(view, options.size_px > 0 ? options.size_px : view.size_px, 0.0);
   settings.pixel = pixel_angle(projection);
@@ -107,8 +107,8 @@ bool is_baked(const fs::path& out, const TrajectoryProvenance& provenance) {
   }
 }
 
-//! Throws Error if the output exists and is not a bake of this show with any settings: it may have
-//! taken hours.
+//! Throws Error if the output exists and is not a trajectory of this show, baked with whatever
+//! settings: another one may have taken hours.
 void require_own(const fs::path& out, const Show& show) {
   std::error_code problem;
   if (!fs::exists(out, problem)) {
@@ -140,8 +140,9 @@ BakeResult bake(const Show& show, const BakeSettings& settings, TrajectoryJourna
   });
 }
 
-//! Returns the disk's part of the blending error, if the disk's layers are blended: " in the sky,
-//! 0.196 px in the disk".
+//! Returns the largest error from blending the disk, as text: " in the sky, 0.196 px in the disk".
+//! Leaves out gaps where it exceeds the budget, because the disk is computed live there. Empty if
+//! the disk is never blended.
 std::string disk_text(const TrajectoryReader& trajectory) {
   double worst_px = 0.0;
   for (const StationEntry& station : trajectory.stations()) {
@@ -209,7 +210,7 @@ void run(const BakeOptions& options) {
               settings.part, settings.parts, counted(journal.station_count(), "station"));
     return;
   }
-  // A bake that was killed while sealing leaves a partial file.
+  // Removes the partial file that an earlier bake left if it was killed in seal().
   remove_abandoned_files(fs::absolute(behind_links(out)).parent_path());
   journal.seal(out, result.times_s);
   for (const fs::path& done : journals) {

@@ -42,7 +42,7 @@ struct DiagramOptions {
 
 constexpr int min_diagram_px = 64;
 constexpr int max_diagram_px = 8192;
-//! Number of times of a film at which the scene must fit into the picture.
+//! Number of frames, evenly spaced over a film, in which the scene must fit into the picture.
 constexpr int framed_moments = 9;
 
 //! Parses a list of finite numbers separated by `between`. Returns an empty list if the text is
@@ -81,7 +81,7 @@ std::pair<int, int> size_of(const std::string& text) {
 }
 
 //! Parses the image orders of --images; removes duplicates and sorts. Throws UsageError if the list
-//! is malformed.
+//! is malformed or has other numbers than 1 to max_polygon_images.
 std::vector<int> images_of(const std::string& text) {
   std::vector<int> images;
   if (text.empty()) {
@@ -102,9 +102,9 @@ std::vector<int> images_of(const std::string& text) {
   return images;
 }
 
-//! Returns the direction of the diagram's camera. The default is to the side of the observer and
-//! slightly above the equatorial plane, where the distance between observer and hole is not
-//! foreshortened.
+//! Returns the direction of the diagram's camera from the hole. The default is 65 degrees to the
+//! side of the observer and 24 above the equatorial plane, where the distance between observer and
+//! hole is hardly foreshortened. Throws UsageError if --from is malformed.
 OutsideDirection outside_direction_of(const DiagramOptions& options, const Show& show, double time_s) {
   constexpr double beside = 65.0 * one_degree;
   constexpr double above = 24.0 * one_degree;
@@ -144,7 +144,8 @@ void draw_picture(const DiagramOptions& options, const Show& show, const Diagram
   }
 }
 
-//! Returns one camera for a whole film. It frames the scene at several times of the film.
+//! Returns one camera for a whole film, in the direction for its first frame. It frames the scenes
+//! and legends of several frames.
 OutsideCamera film_camera(const DiagramOptions& options, const Show& show, const Diagram& diagram,
                           const DiagramPicture& picture, std::pair<int, int> frames) {
   std::vector<Vector3<double>> framed;

@@ -36,7 +36,7 @@ struct PadOptions {
 };
 
 //! The time of live output: real time, or, when a fixture is played and the output is not a
-//! terminal, time that advances as fast as lines are written.
+//! terminal, time that advances by 1/60 s with each frame, without waiting.
 class Pace {
  public:
   explicit Pace(bool hurry) : hurry_(hurry), start_(Clock::now()) {}
@@ -59,7 +59,8 @@ class Pace {
   Clock::time_point start_;
 };
 
-//! Returns the settings file: the one named, or the default file if it exists.
+//! Returns the settings file: the one named, or the default file if it exists; otherwise an empty
+//! path.
 fs::path settings_file(const PadOptions& options) {
   if (!options.settings.empty()) {
     return options.settings;
@@ -124,8 +125,8 @@ class LiveLines {
   std::vector<std::string> shown_;
 };
 
-//! Returns how long a command runs: --for, otherwise the default; 10 s for a fixture whose output
-//! is not a terminal.
+//! Returns how long a command runs [s]: --for if given; otherwise 10 s for a fixture whose output
+//! is not a terminal (`hurry`), and `otherwise` in other cases.
 double duration_s(const PadOptions& options, bool hurry, double otherwise) {
   return options.for_s > 0.0 ? options.for_s : hurry ? 10.0 : otherwise;
 }
@@ -140,14 +141,15 @@ void show_live(PadHub& hub, Pace& pace, double duration_s) {
   }
 }
 
-//! Returns the session of the pad with this number, in the order of discovery.
+//! Returns the session of the pad with this number, from 1 in the order of discovery; null if there
+//! is none.
 const PadSession* session_of(const PadHub& hub, int number) {
   const auto index = static_cast<std::size_t>(number - 1);
   return index < hub.sessions().size() ? hub.sessions()[index].get() : nullptr;
 }
 
-//! Returns the profile of this pad alone; creates it from the profile that applied before if it is
-//! missing.
+//! Returns the profile for exactly this device and serial number. If it is missing, adds a copy of
+//! the profile that applied to the pad before.
 PadProfile& own_profile(PadSettings& settings, const PadIdentity& pad) {
   const std::string device = device_id(pad.vendor, pad.product);
   const auto found = std::find_if(settings.pads.begin(), settings.pads.end(), [&](const PadProfile& profile) {

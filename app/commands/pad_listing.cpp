@@ -19,7 +19,7 @@ std::string profile_name(const PadSettings& settings, const PadIdentity& pad) {
   return &profile == &settings.otherwise ? "[default]" : fmt::format("[[pad]] {}", &profile - settings.pads.data() + 1);
 }
 
-//! Returns the decoder of a device, or why it cannot be used.
+//! Returns a text that names the decoder of a device, or says why it cannot be used.
 std::string reader_of(HidApi& api, const HidDeviceInfo& info) {
   HidOpening opening = api.open_path(info.path);
   if (opening.device == nullptr) {

@@ -7,12 +7,12 @@
 
 namespace ergodome {
 
-//! Prints the connected controllers, each with its decoder, or why it cannot be used, and its
-//! settings; `file` is the settings file, empty if there is none.
+//! Prints the connected controllers, each with its decoder, or why it cannot be used, and the table
+//! of `settings` that applies to it; then the path `file` of the settings, empty if there is none.
 void list_pads(HidApi& api, const PadSettings& settings, const std::filesystem::path& file);
 
-//! Adds settings for each controller that has none, and writes the file. Throws Error if it cannot
-//! be written.
+//! Adds a copy of the default settings for each connected controller that has none of its own, and
+//! writes all settings to a file. Throws Error if it cannot be written.
 void write_pads_found(HidApi& api, PadSettings settings, const std::filesystem::path& out);
 
 }  // namespace ergodome

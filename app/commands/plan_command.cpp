@@ -127,7 +127,7 @@ nlohmann::json json_of(const WorkCount& count) {
   return {{"runs", count.runs}, {"elements", count.elements}, {"ms", static_cast<double>(count.time_ns) * 1e-6}};
 }
 
-//! Writes null for a count that the plan leaves open.
+//! Returns null for 0, which stands for a count that the plan leaves open.
 nlohmann::json known(long number) { return number > 0 ? nlohmann::json(number) : nlohmann::json(nullptr); }
 
 nlohmann::json json_of(const Show& show, const FramePlan& plan) {

@@ -63,7 +63,8 @@ std::string key_help() {
   return text;
 }
 
-//! Reads the dome setup for the projectors.
+//! Reads the dome setup and prepares its projectors. Without --size, pictures get the size of the
+//! domemaster that the projectors need.
 void use_setup(PlayArguments& arguments) {
   ProjectorOptions& projectors = arguments.projectors.emplace();
   projectors.setup = read_dome_setup(arguments.setup);
@@ -106,8 +107,8 @@ Show loaded_show(const PlayArguments& arguments, const std::string& name) {
   return show;
 }
 
-//! Throws UsageError if the show file has the name of a recording: an exhibit deletes its oldest
-//! recordings, and would delete the show.
+//! Throws UsageError if the show file has the name and folder of a recording made with --record: an
+//! exhibit deletes its oldest recordings, and would delete the show.
 void require_no_record(const std::string& record, const std::string& show) {
   std::error_code problem;
   const auto folder = [](const std::filesystem::path& file) {
@@ -202,7 +203,7 @@ void run(PlayArguments arguments) {
   std::shared_ptr<ShowRenderer> first = use_budget(arguments, show, make);
   Player player(show, with_first(make, show.name, std::move(first)), open_output(arguments, show), options);
   player.run();
-  // The player does not wait for threads that are still loading.
+  // Makes threads that are still loading give up: the player did not wait for them.
   stop_reading();
 }
 

@@ -37,7 +37,7 @@ namespace ergodome {
 
 namespace {
 
-//! Throws UsageError if the files cannot hold the stereo layout.
+//! Throws UsageError if files of the chosen format cannot hold the show's stereo layout.
 void require_file_layout(const RenderOptions& options, const Show& show) {
   if (show.stereo.layout == StereoLayout::multiview && options.format != "exr") {
     throw UsageError("stereo layout multiview", "writes two views to one file, which only EXR supports",
@@ -77,7 +77,7 @@ std::optional<DomeSetup> chosen_setup(const RenderOptions& options) {
   return read_dome_setup(options.setup);
 }
 
-//! Throws UsageError if an option has no effect on this show.
+//! Throws UsageError if an option has no effect on this show, or if --view-range is malformed.
 void require_used_options(const RenderOptions& options, const Show& show) {
   static_cast<void>(follow_method(options.method, options.view, show));
   static_cast<void>(view_range(options.view_range, view_mode(options.view), !options.method.empty()));
@@ -131,11 +131,12 @@ void report_frames(const RenderOptions& options, const FrameWriter& writer) {
             there > 0 ? fmt::format("; skipped {} from an earlier run", counted(there, "frame")) : "");
 }
 
-//! Ends an interrupted run by throwing Error.
+//! Ends an interrupted run: writes the metadata summary of the finished frames [first, last], and
+//! throws Error.
 [[noreturn]] void stop(const RenderOptions& options, const FrameWriter& writer, int first, int last) {
   std::string unwritten;
   try {
-    // The summary of an earlier run may describe other frames.
+    // Written because the summary of an earlier run may describe other frames.
     write_metadata(options, writer, first, last);
   } catch (const Error& problem) {
     unwritten = fmt::format(" (and {})", problem.what());

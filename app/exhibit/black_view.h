@@ -10,35 +10,37 @@ class BlackView {
  public:
   static constexpr double hint_after_s = 3.0;
   static constexpr double return_after_s = 20.0;
-  //! A frame counts as black if a smaller fraction of it is lit. A window has more lit pixels than
-  //! this as soon as one star is in view.
+  //! A frame counts as black if less than this fraction of it is lit. A window has more lit pixels
+  //! than this as soon as one star is in view.
   static constexpr double min_lit_part = 1e-3;
 
-  //! Resets the state at the start of a new scene.
+  //! Starts a new scene: the view does not count as black until the next note().
   void begin() { since_s_.reset(); }
 
   //! Records the lit fraction of the view, 0 to 1, at a time of a monotonic clock.
   void note(double now_s, double lit_part);
 
-  //! Returns the seconds until the camera returns to the start, if the view has been black long
-  //! enough for a hint.
+  //! Returns the seconds until the camera returns to the start, if the view has been black for at
+  //! least hint_after_s; otherwise nothing.
   [[nodiscard]] std::optional<double> back_in_s(double now_s) const;
 
-  //! Returns true once, when the camera has to return to the start.
+  //! Returns true if the view has been black for return_after_s, so that the camera has to return
+  //! to the start. Then forgets when the view became black.
   bool take_return(double now_s);
 
  private:
-  std::optional<double> since_s_;  //!< when the view became black
+  std::optional<double> since_s_;  //!< when the view became black; empty: it is not black
 };
 
 //! Decides when to measure the lit part of a visitor's view: after the view has changed, at most
 //! once a second.
 class LightWatch {
  public:
-  //! Starts a new scene: take() rejects measurements that were requested before it.
+  //! Stores the start of a new scene: take() returns false for measurements requested before it.
   void begin(double now_s) { began_s_ = now_s; }
 
-  //! Returns whether to request a measurement now. `changed`: whether the view has just changed.
+  //! Returns whether to request a measurement now: the view has changed since the request for the
+  //! last result, which is at least a second ago. `changed`: whether the view has just changed.
   [[nodiscard]] bool is_due(double now_s, bool changed) {
     constexpr double between_measurements_s = 1.0;
     changed_s_ = changed ? now_s : changed_s_;
@@ -46,7 +48,7 @@ class LightWatch {
   }
 
   //! Records that the result of a measurement arrived, which was requested at `asked_s`. Returns
-  //! whether the result is new and belongs to this scene.
+  //! whether that is later than for all results before it, and not before the scene began.
   [[nodiscard]] bool take(double asked_s) {
     const bool is_new = asked_s > measured_s_;
     measured_s_ = is_new ? asked_s : measured_s_;

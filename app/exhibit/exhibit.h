@@ -9,7 +9,8 @@ struct ExhibitTimes {
   double idle_s = 60.0;      //!< time without input after which the attract show returns
   double session_s = 180.0;  //!< maximum duration of a visitor's flight; 0: no limit
   double welcome_s = 8.0;    //!< duration of the welcome text
-  double rest_s = 3.0;       //!< time after a session during which input does not start another
+  //! Time after a session that reached session_s, during which input does not start another.
+  double rest_s = 3.0;
 };
 
 //! Scene of an exhibit: the attract show or a visitor's flight.
@@ -26,10 +27,12 @@ class Exhibit {
 
   [[nodiscard]] ExhibitScene scene() const { return scene_; }
 
-  //! Returns the opacity of the welcome text, 0 to 1: it appears with the visitor and fades.
+  //! Returns the opacity of the welcome text, 0 to 1: it fades in when a visitor starts, and out
+  //! before welcome_s have passed.
   [[nodiscard]] double welcome() const;
 
-  //! Returns the remaining time of a session if it is limited and about to end [s].
+  //! Returns the remaining time of a visitor's session [s] in its last 20 s. Returns nothing before
+  //! them, without a limit, and during the attract show.
   [[nodiscard]] std::optional<double> ending_in_s() const;
 
  private:
@@ -38,6 +41,7 @@ class Exhibit {
   double now_s_ = 0.0;
   double began_s_ = 0.0;    //!< start of the scene
   double touched_s_ = 0.0;  //!< last input
+  //! Whether the last visitor's session ended because it reached its limit.
   bool session_over_ = false;
 };
 
@@ -46,7 +50,8 @@ class HeldSwitch {
  public:
   explicit HeldSwitch(double hold_s) : hold_s_(hold_s) {}
 
-  //! Returns whether it has been held long enough, by a monotonic clock.
+  //! Advances to a time of a monotonic clock. Returns whether the switch has been held without a
+  //! break for the time given to the constructor.
   bool advance(double now_s, bool held);
 
  private:

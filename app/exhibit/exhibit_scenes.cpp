@@ -27,7 +27,8 @@ Caption caption_at(double elevation_deg, double letter_deg, LocalText text) {
   return caption;
 }
 
-//! Copies the setting that a command changed; refused commands change nothing.
+//! Copies the settings that a command changes from `status` to `settings`. After a refused command,
+//! `status` still has the old value.
 void take_over(const TransportCommand& command, const PlayerStatus& status, bool baseline_set,
                SavedSettings& settings) {
   using Kind = TransportCommand::Kind;
@@ -44,7 +45,7 @@ void take_over(const TransportCommand& command, const PlayerStatus& status, bool
   if (command.kind == Kind::captions) {
     settings.captions = status.captions;
   }
-  // In a show with one language, the chosen language stays unchanged.
+  // A show with one language always reports that one, so the operator's choice is kept.
   const bool chosen =
       command.kind == Kind::next_language || (command.kind == Kind::language && command.text == status.language);
   if (chosen && status.languages.size() > 1) {
@@ -122,8 +123,8 @@ std::vector<Caption> ExhibitScenes::captions(bool pad) const {
   if (exhibit_.welcome() <= 0.0) {
     return {};
   }
-  // Each line is a separate caption: at 2.4 degrees, the size for domes of 512 pixels, lines of one
-  // caption would touch.
+  // Each line is a separate caption, 4.5 degrees below the one before: letters are 2.4 degrees
+  // high, for domes of 512 pixels, and lines of one caption would touch.
   std::vector<LocalText> lines =
       pad ? std::vector{LocalText{{"en", "Left stick: around the hole and toward it"},
                                   {"de", "Linker Stick: um das Loch herum und darauf zu"}},
@@ -228,8 +229,8 @@ void ExhibitScenes::write_settings() {
     problem_.clear();
   } catch (const std::exception& error) {
     refused_s_ = now_s_;
-    // The remedy of a failed write applies if the user chose the file's name, but this file has a
-    // fixed name.
+    // Uses only the error's problem: its remedy, to choose another name, does not apply to this
+    // file, whose name is fixed.
     const Error* const own = dynamic_cast<const Error*>(&error);
     problem_ =
         Error(file.string(), fmt::format("the settings cannot be saved ({})", own ? own->problem() : error.what()),

@@ -13,7 +13,7 @@ namespace {
 
 //! A command is logged once it has not been repeated for this time.
 constexpr double quiet_s = 1.0;
-//! A command that keeps being repeated is logged at the latest after this time.
+//! A command that keeps being repeated is logged this long after it first came.
 constexpr double longest_wait_of_line_s = 5.0;
 
 std::string argument_text(const CommandRule& rule, const TransportCommand& command) {

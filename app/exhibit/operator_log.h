@@ -9,11 +9,12 @@ namespace ergodome {
 
 //! Produces log lines of operators' commands with the address that they came from.
 //!
-//! Lines are delayed by a second, so that a moving fader produces one line with its last value, and
-//! many commands do not fill the log.
+//! Commands of the same kind and address become one line with the last value and their number, once
+//! none has come for a second, or five seconds after the first. So a moving fader does not fill the
+//! log.
 class OperatorLog {
  public:
-  //! Maximum number of waiting commands. Beyond it, the oldest line is released at once.
+  //! Maximum number of lines that wait for repetitions. One more makes the oldest due at once.
   static constexpr std::size_t max_waiting = 32;
 
   //! Adds commands at a time of a monotonic clock. Commands without a source come from the program

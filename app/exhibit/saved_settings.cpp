@@ -38,8 +38,8 @@ std::filesystem::path state_folder() {
   }
   const char* home = std::getenv("HOME");
   if (home == nullptr || *home != '/') {
-    // A service may run without HOME. A folder that others can write to, such as /tmp, would let
-    // them plant links.
+    // A service may run without HOME, so the user database is asked. /tmp would not do: others can
+    // write to it and plant links.
     const passwd* const user = ::getpwuid(::geteuid());
     home = user != nullptr ? user->pw_dir : nullptr;
   }

@@ -16,15 +16,16 @@ struct SavedSettings {
   bool operator==(const SavedSettings&) const = default;
 };
 
-//! Returns the folder for settings and the log: $XDG_STATE_HOME/ergodome, or
-//! ~/.local/state/ergodome. Empty if the user has no home folder.
+//! Returns the folder for settings and the log: $XDG_STATE_HOME/ergodome if that variable is an
+//! absolute path, or ~/.local/state/ergodome. Empty if the user has no home folder.
 std::filesystem::path state_folder();
 
 //! Reads settings. A missing file gives the defaults. So does a damaged file, which is renamed to
-//! NAME.bad; `problem` then gives the reason. An exhibit always starts.
+//! NAME.bad, so that an exhibit always starts; `problem` then gives the reason, and is otherwise
+//! empty.
 SavedSettings read_saved_settings(const std::filesystem::path& file, std::string& problem);
 
-//! Writes settings atomically. Throws Error if they cannot be written.
+//! Writes settings atomically, and creates their folder. Throws Error if that fails.
 void write_saved_settings(const std::filesystem::path& file, const SavedSettings& settings);
 
 }  // namespace ergodome

@@ -43,14 +43,14 @@ namespace {
 
 using std::chrono::steady_clock;
 
-//! A program that fails sooner than this is not restarted, because it would fail again.
+//! A program that fails in less time than this is not restarted, because it would fail again.
 constexpr std::chrono::seconds shortest_run{5};
 
 volatile std::sig_atomic_t stopping = 0;
 volatile pid_t running = 0;
 
-//! Forwards signals to the child as hangups, which may be repeated: it may also have received the
-//! first signal itself.
+//! Forwards a signal to the child as SIGHUP. The child may also have received the signal itself, as
+//! with Ctrl-C, and a second SIGINT or SIGTERM would end it at once (interrupt.h).
 void pass_on(int /*signal*/) {
   stopping = 1;
   if (running > 0) {
@@ -87,7 +87,7 @@ void restart_after_crashes() {
   while (true) {
     const auto begin = steady_clock::now();
     set_handlers(pass_on);
-    // Blocks signals until the child has its handlers and the parent knows its process id.
+    // Blocks signals until the child has its handlers and the parent has stored the child's id.
     sigset_t held;
     sigset_t before;
     sigfillset(&held);

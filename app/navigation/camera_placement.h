@@ -18,10 +18,10 @@ struct CameraPlacement {
 
 CameraPlacement placement_of(const CameraPose& pose);
 
-//! Returns the pose with φ in [-π, π], and 0 on the axis.
+//! Returns the pose with φ in [-π, π]; on the axis, φ is 0.
 CameraPose pose_of(const CameraPlacement& placement);
 
-//! Returns the unit vector to the east; on the axis, any horizontal one.
+//! Returns the unit vector to the east; on the axis, +y.
 glm::dvec3 east_at(const glm::dvec3& towards);
 
 //! Moves a unit vector along a great circle by `step`, a perpendicular vector in radians.

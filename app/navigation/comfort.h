@@ -13,10 +13,11 @@ inline glm::dvec3 shortened(const glm::dvec3& v, double maximum) {
   return length > maximum ? v * (maximum / length) : v;
 }
 
-//! Returns whether a rate is too small to be visible.
+//! Returns whether a rate [rad/s or distances/s] is at most 1e-6, too small to be visible.
 inline bool at_rest(const glm::dvec3& rate) { return glm::length(rate) <= 1e-6; }
 
-//! Moves a rate smoothly toward a target, by at most `maximum`. Returns the length of the change.
+//! Moves `rate` toward `wish`, exponentially with a time constant of 0.12 s, but by at most
+//! `maximum`. Returns the length of the change.
 //!
 //! The path is straight, so if rate and target are within a convex limit, the rate stays within it.
 inline double follow(glm::dvec3& rate, const glm::dvec3& wish, double seconds, double maximum) {

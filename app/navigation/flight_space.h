@@ -7,9 +7,9 @@ namespace ergodome {
 
 //! The region that a visitor's camera may enter, with its measure of lengths.
 //!
-//! Speeds are in units of distance(), which grows with the distance from the guard, so a flight is
-//! fast far out and slow near the hole. A camera that flies toward the guard approaches it
-//! asymptotically, for any time step.
+//! At a speed of 1 [distances/s], a camera moves by distance(r) per second. That unit grows with
+//! the height above the guard, so a flight is fast far out and slow near the hole. A camera that
+//! flies toward the guard approaches it asymptotically, for any time step.
 class FlightSpace {
  public:
   FlightSpace(Spacetime spacetime, const FlightSettings& settings);
@@ -23,16 +23,16 @@ class FlightSpace {
   //! Returns the minimum radius of cameras [M].
   [[nodiscard]] double guard_r() const { return guard_r_; }
 
-  //! Returns the unit of speed at a radius, as proper length per second [M]. It is positive at the
-  //! guard, so that cameras can leave it.
+  //! Returns the unit of length at a radius, the "distance" [M]: the height above the guard plus a
+  //! twentieth of the guard's radius, so that cameras can leave the guard.
   [[nodiscard]] double distance(double r) const;
 
   //! Returns the radius after `seconds` at dr/dt = `speed` [M/s], slowed down near the limits. A
   //! camera inside the guard moves out.
   [[nodiscard]] double moved_radius(double r, double speed, double seconds) const;
 
-  //! Returns the factor on a motion at dr/dt = `speed` that keeps it within the limits of
-  //! moved_radius().
+  //! Returns the factor, 0 to 1, that slows down a motion at dr/dt = `speed` [M/s] as much as
+  //! moved_radius() does near the limits.
   [[nodiscard]] double slowing(double r, double speed) const;
 
   //! Moves a camera without rotation for `seconds`, at a velocity [distances/s] in the local space
@@ -54,16 +54,18 @@ class FlightSpace {
   bool through_horizon_;
 };
 
-//! Returns the radius of the guard [M]: just outside the horizon, or outside all photon orbits; at
-//! least `settings.least_r`.
+//! Returns the radius of the guard [M]. By `settings.guard` it is just outside the horizon or 1 %
+//! outside all equatorial photon orbits; it is at least `settings.least_r`.
 double guard_radius(Spacetime spacetime, const FlightSettings& settings);
 
-//! Returns whether a camera is inside the horizon, or so close to it that it can only fall: frames
-//! of other observers are boosted so strongly against the infalling one that few digits remain.
+//! Returns whether a camera is closer than `nearest_rest` horizon radii (content/camera/within.h),
+//! or inside the horizon, so that it can only fall: so close, frames of other observers are boosted
+//! so strongly against the infalling one that few digits remain.
 bool is_beyond_return(Spacetime spacetime, double r);
 
 //! Returns whether infalling orbits take a visitor of a show through the horizon: if everything in
-//! the show can be seen from inside (kept_outside) and its guard is the horizon.
+//! the show can be seen from inside (kept_outside) and its guard is just outside the horizon, not
+//! moved outward by `least_r`.
 bool may_fall_through_horizon(const Show& show);
 
 }  // namespace ergodome

@@ -149,7 +149,7 @@ void Navigator::move_on_orbit(double hurry, double seconds, glm::dvec3& turn) {
       shortened(ride_->space().velocity(before, (placement_.r - before.r) / seconds, way), settings_.max_speed));
 }
 
-//! Turns the view within the limits of comfort.
+//! Turns the view for a step at the wanted rate [rad/s], as far as the limits of comfort allow.
 void Navigator::turn_view(const glm::dvec3& wanted, double seconds) {
   const glm::dvec3 missing = shortened(wanted, motion_.limits().total) - turn_;
   turn_ += shortened(missing, motion_.limits().acceleration * seconds);
@@ -360,8 +360,9 @@ glm::dvec3 Navigator::turn_of_azimuth() const {
   return {0.0, 0.0, spacetime_.spin / f.delta * ride_->radial_speed()};
 }
 
-//! Starts a ride from rest, or at the camera's velocity. An infalling orbit leads through the
-//! horizon if allowed.
+//! Starts a ride with the requested velocity, otherwise on a circular orbit. While the camera still
+//! moves, starts only a requested orbit along which it moves already. An infalling orbit leads
+//! through the horizon if the show allows that.
 void Navigator::begin_ride() {
   if (motion_.coasts() && !(asked_velocity_ && at_rest(motion_.around()))) {
     return;
@@ -389,8 +390,8 @@ void Navigator::begin_ride() {
   }
 }
 
-//! Ends a ride. One through the horizon that ends outside converts the camera to the azimuths and
-//! axes of other flights.
+//! Ends a ride. After one through the horizon, converts the camera, which must be outside, to
+//! Boyer-Lindquist azimuths and the axes of the ZAMO.
 void Navigator::end_ride() {
   if (falls_through()) {
     CameraPose before = pose_of_ingoing(before_, spacetime_);
@@ -455,7 +456,8 @@ ObserverView Navigator::observer_on_ride(std::string_view language) const {
       observer_of(ObserverMotion::velocity, ride_->velocity(), spacetime_, here.r, here.theta, language);
   view.name = german ? "auf freier Umlaufbahn" : "in free orbit";
   view.sentence = view.name + view.sentence.substr(view.sentence.rfind(','));
-  // Within this many radii of the guard, the observer's description includes where the fall ends.
+  // At radii below this many times the guard's, the observer's description includes where the fall
+  // ends.
   constexpr double near = 2.0;
   if (kept_outside_ && here.r < near * space_.guard_r() && ride_->falls_into_hole()) {
     view.sentence +=

@@ -28,30 +28,33 @@ class Navigator {
   //! clamps rates to ±1 and ignores NaN.
   void advance(double seconds, const SteeringInput& input, const CameraPose& path);
 
-  //! Sets the spacetime when the show changes it. A ride continues in the old one.
+  //! Sets the spacetime when the show changes it. A ride continues in the old one. A camera off the
+  //! path that does not fall through the horizon moves out to the new guard if it is inside.
   void set_spacetime(Spacetime spacetime);
 
-  //! Takes the camera off the path with its velocity; if the path is a fall, in free fall along its
-  //! orbit, also inside the horizon. If the show's settings say so, starts from the show's first
-  //! camera key instead.
+  //! Takes the camera off the path with its velocity. In mode `geodesic`, or too close to the
+  //! horizon to escape, it continues the path's fall if visitors may fall through the horizon.
+  //! Calls reset() instead if the show's settings say so, or inside the horizon if the fall cannot
+  //! continue.
   void leave_path();
-  //! Flies back to the path and then follows it; jumps there if the camera or the path is inside
-  //! the horizon. Does nothing on the path.
+  //! Flies back to the path and then follows it; jumps there if the camera is committed() or the
+  //! path is inside the horizon. Does nothing unless the camera is in free flight.
   void return_to_path();
-  //! Restarts free flight, at rest, from where it first began.
+  //! Restarts free flight in the show's flight mode, at rest at the show's first camera key.
   void reset();
 
   void set_mode(FlightMode mode);
   //! Selects the next flight mode and takes the camera off the path. If the path is in free fall,
   //! the first mode is to continue that fall.
   void next_mode();
-  //! Reverses the direction of circular orbits; restarts a ride.
+  //! Reverses the direction of circular orbits and ends a ride, so that the mode `geodesic` starts
+  //! a circular orbit. The ride of a committed() camera continues.
   void reverse_orbit();
-  //! Starts free fall with a velocity in the ZAMO frame. Throws Error unless it is slower than
-  //! light.
+  //! Starts free fall with a velocity in the ZAMO frame; does nothing if the camera is committed().
+  //! Throws Error unless the velocity is slower than light.
   void ride(const Vector3<double>& velocity);
-  //! Starts free fall from rest in the ZAMO frame, into the hole. A camera that already falls
-  //! continues.
+  //! Starts free fall from rest in the ZAMO frame, into the hole. If the camera or its path already
+  //! falls through the horizon, continues that fall.
   void let_go();
 
   //! Returns the camera's pose. It has a velocity if the camera falls through the horizon.
@@ -122,9 +125,11 @@ class Navigator {
   bool begun_ = false;
   bool moved_ = true;
   glm::dvec3 turn_{0.0};
-  //! Horizontal and perpendicular to `towards`; keeps its direction across the axis.
+  //! The visitor's east, ±east_at(): horizontal and perpendicular to `towards`. It does not reverse
+  //! where the camera crosses the spin axis.
   glm::dvec3 east_{0.0, 1.0, 0.0};
-  //! A ride through the horizon has `placement_` and `before_` in ingoing azimuths.
+  //! The current ride, if any. During one through the horizon, `placement_` and `before_` have
+  //! ingoing Kerr azimuths.
   std::optional<OrbitRide> ride_;
   Vector3<double> ride_before_{};  //!< velocity of the ride at `before_`
   double clock_lead_ = 0.0;        //!< pose.clock_lead while not falling through the horizon [M]

@@ -50,7 +50,8 @@ struct ObserverView {
 ObserverView observer_view(ObserverMode mode, const CameraSettings& shown, const std::optional<ObserverView>& own,
                            Spacetime spacetime, double r, double theta, std::string_view language = "en");
 
-//! Returns the observer with a motion, as observer_view() does.
+//! Returns the observer with a motion, its possible replacement included. `given` is the velocity
+//! in the ZAMO frame for ObserverMotion::velocity, otherwise unused.
 ObserverView observer_of(ObserverMotion motion, const Vector3<double>& given, Spacetime spacetime, double r,
                          double theta, std::string_view language = "en");
 

@@ -12,9 +12,11 @@ namespace ergodome {
 
 namespace {
 
-//! Duration of one revolution, unless the visitor hurries.
+//! Duration of one revolution on a circular orbit at the starting radius, unless the visitor
+//! hurries or comfort requires more.
 constexpr double round_s = 40.0;
-//! Viewer's time in which the remaining proper time of a fall through the horizon decreases to 1/e.
+//! Time of the visitor's clock in which the remaining proper time of a fall through the horizon
+//! decreases to 1/e.
 constexpr double fall_s = 6.0;
 //! Proper time that is added to the remaining one, so that the fall reaches its end [M].
 constexpr double last_proper_time = 0.01;

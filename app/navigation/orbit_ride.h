@@ -22,18 +22,20 @@ class OrbitRide {
   //! frame.
   static OrbitRide through_horizon(Spacetime spacetime, const FlightSettings& settings, const CameraPose& pose);
 
-  //! Starts at the camera's velocity [distances/s] of `space()`, if that is along the orbit.
-  //! Otherwise returns false and does not start.
+  //! Calls match_motion() if the camera's velocity is along the orbit, within 0.02 distances/s.
+  //! Otherwise returns false and changes nothing.
   [[nodiscard]] bool take_over(const CameraPlacement& placement, const glm::dvec3& velocity);
 
-  //! Starts with the component of the camera's velocity along the orbit.
+  //! Sets the clock rate so that the camera moves at the component of its velocity [distances/s of
+  //! `space()`] along the orbit, or rests if that is backward.
   void match_motion(const CameraPlacement& placement, const glm::dvec3& velocity);
 
-  //! Starts with the clock rate of another OrbitRide that describes the same ride.
+  //! Takes the clock rate of another OrbitRide that describes the same orbit.
   void take_clock_of(const OrbitRide& other);
 
-  //! Advances by a time of the visitor's clock; `hurry` from 0 to 1 speeds up the orbit's clock.
-  //! Changes the position but not the view.
+  //! Advances by a time of the visitor's clock. `hurry` from 0 to 1 speeds up the orbit's clock up
+  //! to four times, within the limits of comfort. Changes the position in `placement`, not the
+  //! view.
   void advance(double seconds, double hurry, CameraPlacement& placement);
 
   //! Returns the velocity in the ZAMO frame; for a ride through the horizon, in the rain frame.
@@ -55,8 +57,8 @@ class OrbitRide {
   //! nothing if that is too far ahead to compute.
   [[nodiscard]] std::optional<double> left() const { return left_; }
 
-  //! Returns whether the orbit leaves the space for visitors, so that its clock stops at the
-  //! border.
+  //! Returns whether the clock has almost or quite stopped, because the orbit leads out of the
+  //! space for visitors.
   [[nodiscard]] bool held() const { return held_; }
 
  private:
@@ -68,9 +70,10 @@ class OrbitRide {
   //! Returns the maximum comfortable orbit time [M] per second; `reach` is the orbit time [M] per
   //! unit of distance.
   [[nodiscard]] double comfortable_clock(double reach, double usual) const;
-  //! Slows down a clock near the border of the space for visitors.
+  //! Returns a clock rate [M/s], reduced near the border of the space for visitors.
   [[nodiscard]] double slowed(double clock) const;
-  //! Returns the clock rate at which the motion along the orbit matches a velocity [distances/s].
+  //! Returns the clock rate [M/s], at least 0, at which the motion along the orbit equals the
+  //! component of a velocity [distances/s] along it.
   [[nodiscard]] double clock_along(const CameraPlacement& placement, const glm::dvec3& velocity) const;
   //! Returns the motion along the orbit per proper time [distances/M].
   [[nodiscard]] glm::dvec3 way(const CameraPlacement& placement) const;
@@ -93,8 +96,9 @@ class OrbitRide {
   bool taken_over_ = false;  //!< continues a path faster than comfortable, and is slowing down
 };
 
-//! Returns the velocity of a circular equatorial orbit at a radius, or the nearest possible one,
-//! along +φ if `sense` is positive.
+//! Returns the velocity in the ZAMO frame of an observer with the angular velocity of a circular
+//! equatorial orbit at the same radius, limited as by nearest_velocity(). It is prograde if `sense`
+//! is positive, otherwise retrograde.
 Vector3<double> circular_velocity(Spacetime spacetime, double r, double theta, double sense);
 
 //! Convert between a pose and a CameraPlacement with the ingoing Kerr azimuth. Inside the horizon,

@@ -71,7 +71,7 @@ CameraPlacement PathReturn::advance(double seconds, const CameraPose& path) {
   }
   const double s = elapsed_s_ / duration_s_;
   const double left = fading(s);
-  // Coasting ends within a quarter of the way.
+  // The coasting speed decreases to 1/e in a quarter of the duration.
   coasting_r_ = space_.moved_radius(coasting_r_, radial_speed_ * std::exp(-4.0 * elapsed_s_ / duration_s_), seconds);
   const glm::dvec3 direction = left * start_.direction + (coasting(s) * duration_s_) * rate_.direction;
   const glm::dvec3 view = left * start_.view + (coasting(s) * duration_s_) * rate_.view;

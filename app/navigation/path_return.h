@@ -8,12 +8,13 @@ namespace ergodome {
 //! The way of a camera back to a show's path, which continues meanwhile.
 //!
 //! It begins with the camera's velocity and ends with the path's. Direction and view are those of
-//! the path, rotated by the remaining difference. The height above the horizon is a mean of the
-//! path's and of the height that the camera coasts to, so it is never below both.
+//! the path, rotated by the remaining difference. The height above the horizon is a weighted
+//! geometric mean of the path's and of the height that the camera coasts to, so it is never below
+//! both.
 class PathReturn {
  public:
-  //! Takes camera and path at two instants that are `seconds` apart. If the camera is at rest, both
-  //! of its positions are equal.
+  //! Takes camera and path at two instants, `seconds` apart: [0] is earlier, [1] is the start. If
+  //! the camera is at rest, both of its positions are equal.
   PathReturn(const FlightSpace& space, const FlightSettings& settings, const CameraPlacement (&camera)[2],
              const CameraPose (&path)[2], double seconds);
 

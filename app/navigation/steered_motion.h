@@ -21,7 +21,8 @@ class SteeredMotion {
         max_speed_(settings.max_speed),
         max_acceleration_(settings.comfort.accel) {}
 
-  //! Adds a motion of the mouse, which is followed in the next steps.
+  //! Adds a motion of the mouse, which is followed in the next steps. At most 3.2 rad and two
+  //! distances remain to be followed.
   void add_mouse(const Steering& amounts);
   //! Discards the remaining motion of the mouse.
   void forget_mouse() { mouse_turn_ = mouse_way_ = glm::dvec3(0.0); }
@@ -47,8 +48,8 @@ class SteeredMotion {
   void set_fly(const glm::dvec3& fly) { fly_ = fly; }
 
  private:
-  //! Returns the velocity at which the remaining motion of the mouse is followed in this step,
-  //! within the limits, and subtracts the step from what remains.
+  //! Returns the velocity at which the remaining translation by the mouse (`mouse_way_`) is
+  //! followed in this step, at most `max_speed_`, and subtracts the step from it.
   glm::dvec3 take_mouse_way(double seconds);
 
   TurnLimits limits_;

@@ -8,11 +8,12 @@
 
 namespace ergodome {
 
-//! Measures the range and center of each raw axis, and the dead zones, while the user moves all
-//! sticks in circles, presses the triggers, and releases everything.
+//! Measures the range and center of each raw axis, and the sticks' dead zones, while the user moves
+//! all sticks in circles, presses the triggers, and releases everything.
 class PadCalibrator {
  public:
-  //! Calibration is done when nothing has moved for `rest_s` after something was moved.
+  //! Calibration is done when an axis has moved through at least half of its range, and then
+  //! nothing has moved for `rest_s`.
   explicit PadCalibrator(RawLayout layout, double rest_s = 2.0);
 
   void take(const RawPad& pad, double now_s);

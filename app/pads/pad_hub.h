@@ -11,7 +11,8 @@ namespace ergodome {
 //! The state of a controller in one frame.
 struct PadView {
   std::shared_ptr<const PadIdentity> identity;
-  int number = 0;          //!< from 1; a controller that returns takes the lowest free number
+  //! Lowest free number, from 1, when it was opened; 0 if it could not be opened.
+  int number = 0;
   bool connected = false;  //!< false: gone since the last snapshot, or could not be opened
   bool absent = false;     //!< a receiver is connected, but its controller is not
   bool stuck = false;      //!< an axis is ignored because it does not move
@@ -54,14 +55,16 @@ class PadHub {
   void start();
   void stop();
 
-  //! Runs one iteration of the thread: looks for controllers once a second, reads, publishes. For
-  //! tests and for commands without a thread. Waits at most `wait_ms`.
+  //! Runs one iteration of the thread: looks for controllers if a second has passed, reads reports,
+  //! publishes. For tests and for commands without a thread. Waits at most `wait_ms` for each
+  //! controller's first report.
   void poll(int wait_ms = 0);
 
-  //! Returns the current controllers. Resets the presses, so there must be only one reader.
+  //! Returns the controllers as last published. Resets the presses and forgets controllers that are
+  //! gone, so there must be only one reader.
   PadSnapshot snapshot();
 
-  //! Switches to other settings and reopens every controller.
+  //! Requests other settings. The next poll() switches to them and reopens every controller.
   void use(PadSettings settings);
 
   //! Returns the sessions of open controllers, for calibration; only without a thread.

@@ -12,7 +12,8 @@ namespace {
 constexpr double pressed_from = 0.5;
 constexpr double released_below = 0.4;
 
-//! Sets the button of a trigger from its axis, independent of the device's own button.
+//! Sets the button of a trigger if its axis is pressed far enough. A button that the device reports
+//! itself stays set.
 void press_trigger(PadState& state, const PadState& before, PadAxis axis, PadButton button) {
   const double threshold = before.pressed(button) ? released_below : pressed_from;
   if (state.axis(axis) >= threshold) {

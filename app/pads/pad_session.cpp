@@ -9,7 +9,8 @@ namespace ergodome {
 
 namespace {
 
-//! Thresholds of deflection and of motion, as fractions of the whole axis.
+//! Thresholds for stuck axes, in PadResponse::position(): the minimum deflection, and the minimum
+//! motion that ends being stuck.
 constexpr double deflected = 0.2;
 constexpr double moved = 0.05;
 

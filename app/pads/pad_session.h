@@ -12,8 +12,8 @@ namespace ergodome {
 //! How often each button was pressed.
 using PadPresses = std::array<std::uint16_t, pad_button_count>;
 
-//! An open controller: reads its reports, keeps its state, counts presses, and releases it if it is
-//! stuck or silent. Not thread-safe.
+//! An open controller: reads its reports, keeps its state and counts presses. Ignores stuck axes
+//! and counts a silent controller as at rest. Not thread-safe.
 class PadSession {
  public:
   //! For `stuck_after_s` see PadSettings.
@@ -24,7 +24,8 @@ class PadSession {
   //! Returns their number; -1 if the device is gone. `buffer` is for one report.
   int pump(std::span<std::uint8_t> buffer, const std::function<double()>& now_s, int wait_ms);
 
-  //! Detects stuck axes and silent controllers.
+  //! Ignores axes that have become stuck, and sets the state to rest if the controller has become
+  //! silent. Call it regularly.
   void watch(double now_s);
 
   //! Resets everything to rest, because the controller is gone.

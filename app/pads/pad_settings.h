@@ -68,7 +68,7 @@ struct PadProfile {
   PadCurve right_stick{.dead_zone = 0.15, .full_at = 0.98, .exponent = 1.5};
   PadCurve triggers{.dead_zone = 0.05, .full_at = 0.98};
   PadCurve puck{.dead_zone = 0.05, .full_at = 1.0, .exponent = 1.5};
-  std::bitset<pad_axis_count> inverted;                 //!< applied last
+  std::bitset<pad_axis_count> inverted;                 //!< inverts mapped axes, before their curves
   std::map<std::string, AxisTarget, std::less<>> axes;  //!< by the name of the raw axis
   std::vector<std::optional<PadButton>> buttons;        //!< HID buttons 1, 2, ...; empty: default
   std::map<std::string, AxisCalibration, std::less<>> calibration;
@@ -78,8 +78,8 @@ struct PadProfile {
 
 //! Contents of the settings file pads.toml.
 struct PadSettings {
-  //! A deflected stick with an exactly constant value for this long is ignored until it moves; 0:
-  //! never.
+  //! An axis that is deflected with an exactly constant value for this long is ignored until it
+  //! moves; 0: never.
   double stuck_after_s = 120.0;
   //! Table [default]: for controllers without a [[pad]], and the base of each [[pad]].
   PadProfile otherwise;

@@ -7,8 +7,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns the difference from the show's time to the external clock's; in a loop, the shorter way
-//! around.
+//! Returns the difference from the show's time to the external clock's: in a loop, the shorter way
+//! around; otherwise after clamping the external time to the show.
 ShowTime error_of(const ShowClock& clock, ShowTime own, ShowTime other) {
   const ShowTime duration = clock.duration();
   if (duration <= ShowTime{}) {

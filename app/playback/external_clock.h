@@ -64,8 +64,9 @@ class ClockChaser {
  public:
   explicit ClockChaser(ChaseSettings settings = {}) : settings_(settings) {}
 
-  //! Updates the clock once per frame, before it is read. After half of `patience` without a fix,
-  //! the state is freewheeling.
+  //! Updates the clock; call it once per frame, before the clock is read. Half of `patience` after
+  //! the last running fix, the state is freewheeling; after all of it, the clock is paused and the
+  //! state is held.
   ChaseState follow(ShowClock& clock, const std::optional<ClockFix>& fix, std::chrono::nanoseconds patience);
 
  private:

@@ -18,7 +18,8 @@ std::vector<std::string> midi_input_names();
 class MidiClockInput {
  public:
   //! `port` is part of the input's name, or empty for the first one. `start` is the time code at
-  //! which the show's time is 0. Throws Error with a list of the inputs if none matches.
+  //! which the show's time is 0. Throws Error if no input matches, with a list of the inputs, or if
+  //! it cannot be opened.
   MidiClockInput(std::shared_ptr<ExternalClock> clock, const std::string& port, std::optional<TimeCode> start,
                  TimeSource source = steady_time);
   ~MidiClockInput();

@@ -36,7 +36,7 @@ std::int64_t frame_number(const TimeCode& code);
 //! Returns the frame rate of a code: 24, 25, 30000/1001 or 30.
 FrameRate frame_rate_of(CodeRate rate);
 
-//! Parses "01:00:00:00", at most 24 hours. Returns nothing for an invalid label.
+//! Parses a label such as "01:00:00:00", before 24 hours. Returns nothing for an invalid label.
 std::optional<TimeCode> parse_time_code(std::string_view text, CodeRate rate);
 
 //! Reads MIDI time code from a stream of bytes: quarter frames and full frame messages between
@@ -93,7 +93,7 @@ class MidiTimeCodeReader {
 //! last second of them removes the jitter of cables and drivers.
 class TimeCodeFilter {
  public:
-  //! `start` is the time code at which the show's time is 0.
+  //! `start` is the time code at which the show's time is 0; absent: midnight.
   explicit TimeCodeFilter(std::optional<TimeCode> start = std::nullopt) : start_(start) {}
 
   ClockFix filter(const MidiTimeCodeReader::Reading& reading, MonotonicTime received);

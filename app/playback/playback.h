@@ -31,8 +31,8 @@ enum class CommandOutcome {
   refused  //!< not possible; Playback::refusal gives the reason
 };
 
-//! Returns a note if a show has neither captions nor sound in the chosen language or a wider one
-//! ("de" for "de-AT"); otherwise empty.
+//! Returns a note if a show has captions or sound, but neither in the chosen language nor in a
+//! wider one ("de" for "de-AT"); otherwise, and if `language` is empty, "".
 std::string language_note(const std::string& show, const Timeline& heard, const std::string& language);
 
 //! A show's transport: its clock and the operator's settings, controlled by commands. Uses no
@@ -41,9 +41,10 @@ class Playback {
  public:
   explicit Playback(const Show& show, PlaybackSettings settings = {});
 
-  //! Replaces the show by another version; keeps time, speed and settings.
+  //! Replaces the show by another version. Keeps time, speed and settings, but changes a language
+  //! that the new version lacks.
   void set_show(const Show& show);
-  //! Makes the show follow an external clock; nullptr: its own clock.
+  //! Makes the show follow an external clock; nullptr: its own clock, at normal speed.
   void follow(std::shared_ptr<ExternalClock> clock);
 
   CommandOutcome apply(const TransportCommand& command);
@@ -62,7 +63,7 @@ class Playback {
   //! Returns whether the show is blacked out or fading to black.
   [[nodiscard]] bool dark() const { return fader_.target() < 0.5; }
 
-  //! Returns the factor on the display's light.
+  //! Returns the factor on the display's light for a blackout, 0 to 1.
   [[nodiscard]] double light() const { return light_; }
   //! Returns the index of the current chapter; -1 before the first.
   [[nodiscard]] int chapter() const;

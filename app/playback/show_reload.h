@@ -49,10 +49,11 @@ class FileWatch {
 
   using WallTime = std::chrono::system_clock::time_point;
 
-  //! Watches these files from their current state. Changes after `read_at`, when they were read,
-  //! are still to be reported.
+  //! Watches these files in place of earlier ones. A new file counts as changed if it was changed
+  //! after `read_at`, when it was read; a file that was watched already keeps its state.
   void watch(const std::vector<std::filesystem::path>& paths, WallTime read_at);
-  //! Returns whether a file has changed since it was watched or last reported.
+  //! Checks the files if `check_interval` has passed since the last check. Returns whether one has
+  //! changed, and settled, since it was watched or last reported.
   bool changed(MonotonicTime now);
 
  private:
@@ -86,8 +87,8 @@ class ShowReload {
   ShowReload(std::filesystem::path file, const Show& running, FileWatch::WallTime read_at, Loader load,
              FileWatch::Settings settings = {});
 
-  //! Returns what was read since the last call; called once per frame. Each broken version is
-  //! reported once.
+  //! Returns what was read since the last call. Starts reading if a file has changed or after
+  //! request(). Call it once per frame. Each broken version is reported once.
   std::optional<Result> poll(MonotonicTime now);
   //! Reads the show again, whether it changed or not; poll() returns the result.
   void request() { requested_ = true; }
@@ -136,11 +137,12 @@ class WatchedShows {
     std::string file;
     std::string problem;  //!< empty: none
   };
-  //! Checks the waiting shows once per frame. Returns nothing if no file has changed.
+  //! Checks the waiting shows; called once per frame. Returns the result for a show whose files had
+  //! changed, once it has been read; nothing if there is none.
   [[nodiscard]] std::optional<Waiting> poll_waiting(MonotonicTime now);
 
-  //! Discards the version that was read last, because it did not become current. It is read again
-  //! when its show runs again.
+  //! Records that the version read last did not become current, so that its show is read again when
+  //! it runs the next time.
   void forget_version();
   //! Records why the version that was read last cannot become current.
   void refuse_version(const std::string& problem);
@@ -153,7 +155,8 @@ class WatchedShows {
   struct Watched {
     ShowReload reload;
     std::string problem{};
-    bool unread = false;  //!< there is a version that did not become current
+    //! The last version did not become current, so the show is read again when it runs.
+    bool unread = false;
   };
   std::optional<ShowReload::Result> note(std::optional<ShowReload::Result> result);
 

@@ -133,7 +133,7 @@ struct PlayerStatus {
   //! external clock.
   std::optional<double> clock_silence_s;
   std::string sound;     //!< the audio device, or that there is none
-  std::string observer;  //!< the mode of the camera's motion
+  std::string observer;  //!< name of the observer, and its speed
   std::string lens;
   std::string backend;
   double frame_ms = 0.0;

@@ -17,8 +17,9 @@ class EyeNotice {
   //! Forgets all reports at the start of another show.
   void begin() { reported_.clear(); }
 
-  //! Returns whether to report the eyes of a frame. `chosen` is the operator's baseline instead of
-  //! the show's [M].
+  //! Returns whether to report the reduced baseline of a frame, and counts it as reported. `eyes`
+  //! is absent if it was not reduced; `chosen` is the operator's baseline instead of the show's
+  //! [M].
   bool is_news(const std::optional<ReducedBaseline>& eyes, const std::optional<double>& chosen) {
     return eyes && reported_.emplace(eyes->model, chosen).second;
   }
@@ -27,7 +28,7 @@ class EyeNotice {
   std::set<std::pair<decltype(ReducedBaseline::model), std::optional<double>>> reported_;
 };
 
-//! Returns the line for the screen, in a language (tag).
+//! Returns the notice for the screen, in German for "de", otherwise in English.
 std::string line_of(const ReducedBaseline& eyes, const std::string& language);
 
 //! Returns the sentence for the log, with the line of the show file if the baseline is the show's.

@@ -53,7 +53,8 @@ struct PlayOptions {
 //! Plays a show, or flies through its scene, on an output.
 class Player {
  public:
-  //! `make` makes the renderer of a show: at the start, and whenever one is lost.
+  //! `make` makes the renderer of a show: of the first one, of other scenes and versions, and again
+  //! whenever one is lost.
   Player(const Show& show, const RendererLoader::Make& make, std::unique_ptr<DisplayOutput> output,
          const PlayOptions& options);
   ~Player();
@@ -71,7 +72,8 @@ class Player {
   void answer_requests();
   void reload(bool now);
   void take_renderer();
-  //! Handles a new version of the show's file that has become current, or that cannot be used.
+  //! Handle a new version of the show's file: one that has become current, and one that cannot be
+  //! used.
   void take_version(const Show& show);
   void refuse_version(const std::string& problem);
   void report_notes();
@@ -92,7 +94,8 @@ class Player {
   //! no other problem.
   void keep_settings(PlayerStatus& status);
   enum class RecordingMoment { frame, end };
-  //! Saves the recording; logs a failure.
+  //! Saves the recording: in each `frame` if it is due, at the `end` in any case. Logs a failure,
+  //! and that saving works again.
   void keep_recording(RecordingMoment moment);
   void end_in_time();
   //! Closes the output and stores the reason.

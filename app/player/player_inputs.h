@@ -25,8 +25,8 @@ class PlayerInputs {
   //! window.
   [[nodiscard]] PlayerInput gather(std::span<const WindowEvent> events, const PadSnapshot& pads, double radians_per_px);
 
-  //! Returns whether there was any input in the last frame, bound or not, which means that a
-  //! visitor is present.
+  //! Returns whether there was any input in the last frame, bound or not, or a key or button was
+  //! held, which means that a visitor is present.
   [[nodiscard]] bool touched() const { return touched_; }
 
   //! Returns whether the operator's chord is held: Ctrl + Alt + Q, keys bound to leaving the

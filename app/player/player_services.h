@@ -42,10 +42,10 @@ class PlayerServices {
   void watch(const Show& show, FileWatch::WallTime read_at, ShowReload::Loader load) {
     shows_.add(show, read_at, std::move(load));
   }
-  //! Makes another version of the show the current one.
+  //! Plays the soundtrack of another version of the show, which has become current.
   void take_version(const Show& show);
-  //! Discards the version that was read last, because it did not become current. It is read again
-  //! when its show runs again.
+  //! Records that the version read last did not become current, so that its show is read again when
+  //! it runs the next time.
   void forget_version() { shows_.forget_version(); }
   //! Records why the version that was read last cannot become current.
   void refuse_version(const std::string& problem) { shows_.refuse_version(problem); }
@@ -78,7 +78,7 @@ class PlayerServices {
   //! Writes lines to the log, even if they repeat.
   void log_changes(const std::vector<std::string>& lines);
 
-  //! Writes a line to the log unless it equals the last one.
+  //! Writes a line to the log unless it is empty or equals that of the last call.
   void report(spdlog::level::level_enum level, const std::string& message);
 
  private:

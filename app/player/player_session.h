@@ -36,8 +36,9 @@ class PlayerSession {
  public:
   PlayerSession(const Show& show, SessionOptions options);
 
-  //! Continues with another version of the show. Keeps the time and the operator's settings;
-  //! restarts a camera in free flight.
+  //! Continues with another version of the show. Keeps the time, the baseline and the other
+  //! settings of playback(). Restores the show's other stereo settings, and restarts a camera in
+  //! free flight.
   void set_show(const Show& show);
 
   //! Advances by one frame.
@@ -46,7 +47,8 @@ class PlayerSession {
   [[nodiscard]] const PlayerFrame& frame() const { return frame_; }
   //! Returns whether the last `advance` requires another picture than the one before.
   [[nodiscard]] bool changed() const { return changed_; }
-  //! Returns whether the picture will change again in the next frame.
+  //! Returns whether the next frame may need another picture: the last one changed, the camera
+  //! moves, or the show plays.
   [[nodiscard]] bool moving() const;
   [[nodiscard]] bool flying() const { return navigator_->course() != Navigator::Course::path; }
   //! Returns when the last input came, by the clock of the options [s].
@@ -66,8 +68,8 @@ class PlayerSession {
   [[nodiscard]] bool help_shown() const { return help_shown_; }
   [[nodiscard]] bool times_shown() const { return times_shown_; }
   void show_times(bool shown) { times_shown_ = shown; }
-  //! Returns lines about the flight mode, the observer and the last change. Empty on the show's
-  //! path, except for a while after a change.
+  //! Returns lines about the flight mode, the observer and the latest message. On the show's path,
+  //! empty unless an observer was chosen or a message is shown.
   [[nodiscard]] std::string caption() const;
 
   //! Starts recording the flight; discards an earlier recording.
@@ -90,7 +92,8 @@ class PlayerSession {
   void adjust_stereo(KeyAction action);
   void report_replaced_eyes();
   void navigate(const PlayerInput& input, double seconds);
-  //! Returns the show time for which the next picture is rendered: 0 if the show has no duration.
+  //! Returns the show time for which the next picture is rendered: that of the clock, plus the
+  //! change of show time during the display's delay; 0 if the show has no duration.
   [[nodiscard]] double picture_time_s() const;
   //! Updates the frame. `shown_time_s` is the show time of the previous frame.
   void update_frame(double seconds, double shown_time_s);
@@ -102,13 +105,15 @@ class PlayerSession {
   [[nodiscard]] Show scene_now() const;
   //! Returns the show's stereo settings with the operator's changes.
   [[nodiscard]] StereoSettings chosen_stereo() const;
-  //! Returns chosen_stereo(), but with a stereo model that is valid at the camera's position.
+  //! Returns chosen_stereo(), with what it may contain but cannot be shown replaced: quad-buffer
+  //! layout in a plain window by side by side, and the model `flat` if the show or the flight leads
+  //! through the horizon.
   [[nodiscard]] StereoSettings stereo_now() const;
   [[nodiscard]] double field_of_view_deg() const;
 
   SessionOptions options_;
-  Show show_;      //!< the show as in its file
-  Show show_now_;  //!< the show with its current numbers
+  Show show_;      //!< the show before its numbers are animated
+  Show show_now_;  //!< the show with its numbers at the current show time
   Playback playback_;
   std::optional<Navigator> navigator_;
   SessionObserver observer_;
@@ -116,7 +121,8 @@ class PlayerSession {
 
   ViewMode mode_ = ViewMode::sky;
   double zoom_steps_ = 0.0;
-  StereoSettings stereo_;              //!< set by the operator, except for the next two
+  //! The operator's, except baseline (in `playback_`) and convergence.
+  StereoSettings stereo_;
   std::optional<double> convergence_;  //!< replaces the show's [M]
   bool help_shown_ = false;
   bool times_shown_ = false;

@@ -11,7 +11,8 @@ namespace {
 
 bool is_within(const CameraPose& pose, Spacetime spacetime) { return !(pose.r > horizon_radius(spacetime)); }
 
-//! Returns how the camera itself moves, if that determines the observer; `in_zamo` is its pose.
+//! Returns how the camera itself moves, if that determines the observer; `in_zamo` is its pose with
+//! the velocity in the ZAMO frame.
 std::optional<ObserverView> flight_observer(const ObserverScene& scene, const CameraPose& in_zamo) {
   const Navigator& navigator = scene.navigator;
   if (navigator.course() == Navigator::Course::free) {

@@ -33,7 +33,7 @@ class SessionPictures {
   SceneRenderers::News take_renderer(const Show& show);
 
   //! Returns whether to show the output now. Without a frame rate budget, always; with one, for
-  //! each new picture, and sometimes for the texts.
+  //! each new picture, and 40 ms after it was last shown, because texts may have changed.
   [[nodiscard]] bool shows_now(double now_s);
 
  private:

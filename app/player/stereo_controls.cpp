@@ -15,7 +15,8 @@ namespace {
 constexpr double step = 1.25;
 constexpr double min_baseline = 1e-4;
 constexpr double max_baseline = 100.0;
-//! Values of the first step from 0 and from infinity, large enough to be seen.
+//! Values of the first step from baseline 0 and from convergence at infinity, in units of the
+//! camera's radius; large enough to be seen. The limits here have the same unit.
 constexpr double first_baseline = 0.01;
 constexpr double first_convergence = 3.0;
 constexpr double nearest_convergence = 0.01;

@@ -23,8 +23,8 @@ StereoSettings adjusted(const StereoSettings& stereo, KeyAction action, const St
 //! "de", otherwise in English.
 std::string describe(const StereoSettings& stereo, std::string_view language = "en");
 
-//! Returns the settings and their effect on a viewer's eyes: least and greatest horizontal
-//! disparity, and a warning if their difference exceeds the limit of comfort.
+//! Returns the settings and their effect on a viewer's eyes: minimum and maximum horizontal
+//! disparity [px and arcmin], and a warning if their difference exceeds `stereo.comfort_deg`.
 std::string disparity_caption(const StereoSettings& stereo, const std::optional<Disparity>& disparity,
                               std::string_view language = "en");
 

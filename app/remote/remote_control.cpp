@@ -62,8 +62,8 @@ std::string saved_token(const std::filesystem::path& file, std::string& warning)
   }
 }
 
-//! Returns the token that other machines have to send; empty if no other machine can reach the
-//! page.
+//! Returns the token that other machines have to send: the one given by the options, otherwise a
+//! saved one; empty if none is given and no other machine can reach the page.
 std::string token_of(const RemoteOptions& options, const NetAddress& address, std::string& warning) {
   if (!options.web_token.empty()) {
     return checked_web_token(options.web_token, "--web-token");

@@ -51,8 +51,8 @@ class RemoteControl {
   RemoteControl(const RemoteControl&) = delete;
   RemoteControl& operator=(const RemoteControl&) = delete;
 
-  //! Returns lines for the operator: the address of the page and, if other machines can reach it,
-  //! its token. Print them once and never log them.
+  //! Returns lines for the operator: the addresses of the page, with its token where other machines
+  //! can reach it, and that of OSC. Print them once and never log them.
   [[nodiscard]] std::vector<std::string> greeting() const;
 
   //! Returns a warning about unsafe options with its remedy; empty if there is none.

@@ -71,7 +71,8 @@ void check_apart(const TomlTable& table, const ProjectorSetup& projector, const 
   }
 }
 
-//! Throws Error for projectors and mirrors far outside the dome, which indicate a wrong unit.
+//! Throws Error for projectors more than ten dome radii from the center and for mirrors outside the
+//! dome, which indicate a wrong unit.
 void check_positions(const TomlTable& table, const ProjectorSetup& projector, double radius_m) {
   constexpr double farthest_radii = 10.0;
   if (!(std::sqrt(dot(projector.position_m, projector.position_m)) <= farthest_radii * radius_m)) {

@@ -13,8 +13,8 @@ struct BlendSettings {
   //! ProjectorOptics::depth(). 1 leaves visible edges at the ends of seams; 2 or more does not.
   double softness = 2.0;
   //! 0: no equalization; 1: the whole dome is as bright as its dimmest point. Between these,
-  //! brightness differences are reduced: their power with this exponent is equalized. Differences
-  //! exist because a raster that is spread over a larger area of the dome is dimmer.
+  //! brightness differences remain with the power 1 - evenness. They exist because a raster that is
+  //! spread over a larger area of the dome is dimmer.
   double evenness = 1.0;
 };
 

@@ -21,7 +21,7 @@ constexpr double mask_tolerance = 1.0 / 255.0;
 constexpr int mask_samples = 48;
 
 //! Returns true if all nodes of a warp that are on the dome have the position in the domemaster
-//! that the projector's light meets.
+//! that the projector's light meets, and if there are such nodes.
 bool is_computed_warp(const ProjectorOptics& optics, const DomeScreen& screen, const WarpMesh& warp) {
   bool any = false;
   for (const WarpNode& node : warp.nodes) {

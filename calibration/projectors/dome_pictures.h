@@ -41,11 +41,13 @@ class DomePictures {
   //! projector, or nothing if none is coarse.
   std::optional<std::size_t> refine_mask();
 
-  //! Returns true if the tilt differs from that for which a warp file of the setup was made. Then
-  //! only test patterns follow the new tilt, not the warp.
+  //! Returns true if the tilt differs from that of the setup that was read, and a projector has a
+  //! warp of the domemaster from a file that does not count as computed. Then only test patterns
+  //! follow the new tilt, not the warp.
   [[nodiscard]] bool leaves_behind(const DomeSetup& setup) const;
 
-  //! Returns for each projector whether its files no longer match its lens and pose.
+  //! Returns for each projector whether its warp file counts as computed (without_computed_files())
+  //! and the tilt of `setup` differs from the one for which it was made.
   [[nodiscard]] std::vector<bool> outdated(const DomeSetup& setup) const;
 
   //! Returns a setup of this dome without the names of outdated files.

@@ -15,7 +15,7 @@ namespace ergodome {
 //! Offsets of the points of a regular grid over the raster: to the right as fractions of its width,
 //! downward as fractions of its height.
 struct GridOffsets {
-  //! Maximum offset of a point.
+  //! Maximum offset of a point, in the same fractions.
   static constexpr double farthest = 0.25;
 
   //! Maximum difference between the offsets of neighbors, as a fraction of their distance. Below

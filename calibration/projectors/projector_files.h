@@ -17,7 +17,9 @@ struct LoadedProjector {
   //! the raster.
   std::variant<std::monostate, WarpMesh, SurfaceMesh> warp;
   WarpSource source = WarpSource::dome_picture;
-  Lens lens;  //!< the setup's lens; if that has none, the lens of the MPCDI region
+  //! The view's, if a warp file (not MPCDI) states one; otherwise the setup's, or else the MPCDI
+  //! region's.
+  Lens lens;
   Vector3<double> position_m{};
   Orientation orientation;
   std::optional<MpcdiMask> blend;       //!< the setup's mask, or else the region's alphaMap

@@ -49,8 +49,8 @@ WarpMesh through_lens(double tilt_deg, const WarpMesh& warp, const Orientation& 
 //! time.
 enum class MaskDetail { full, preview };
 
-//! Returns the warps and masks of all projectors of a setup. If all of them have a lens, those
-//! without a warp and a mask get the mask of DomeBlend. Throws Error as load_projector() and
+//! Returns the warps and masks of all projectors of a setup. If all of them have a lens, those with
+//! neither a warp nor a mask get the mask of DomeBlend. Throws Error as load_projector() and
 //! master_warp() do, and for a setup without projectors.
 //!
 //! `tolerance_px` is the maximum error of computed warps, see dome_warp().

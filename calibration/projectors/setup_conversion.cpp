@@ -127,8 +127,8 @@ MpcdiRegion posed_region(const DomeSetup& setup, std::size_t index, const Loaded
   return region;
 }
 
-//! Returns the flat lenses and poses of all projectors; nothing if one of them has a warp, a mirror
-//! or another lens.
+//! Returns a region of profile sl for each projector, with its flat lens, pose and masks; nothing
+//! if one of them has a warp, a mirror or another lens.
 std::optional<std::vector<MpcdiRegion>> posed_regions(const DomeSetup& setup) {
   std::vector<MpcdiRegion> regions;
   PicturesOnce pictures(setup);

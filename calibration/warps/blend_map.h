@@ -26,8 +26,8 @@ BlendMap parse_blend_map(std::span<const std::byte> bytes, const std::string& na
 //! Reads a mask from a file.
 BlendMap read_blend_map(const std::filesystem::path& path);
 
-//! Returns true if a mask of any size has the aspect ratio of a raster, within the rounding of
-//! small sizes.
+//! Returns true if a mask of any size has the aspect ratio of a raster: its height deviates by at
+//! most one sample or 2 %.
 bool has_shape_of(const BlendMap& map, int width_px, int height_px);
 
 //! Returns a mask with the aspect ratio of a raster: unchanged if it has that ratio, otherwise

@@ -25,7 +25,7 @@ struct FloatMap {
 //! write both.
 enum class RowOrder { bottom_up, top_down };
 
-//! Returns the number of samples with a finite position.
+//! Returns the number of samples whose first two components are finite.
 std::size_t known_samples(const FloatMap& map);
 
 //! Reads a map. Throws Error for another type of map ("Pf" has one component), sizes below 2 x 2 or

@@ -16,14 +16,14 @@ enum class TextureDirection { downwards, upwards };
 //! 10,000) are unknown and not drawn. Ignores the third component, the sample's error.
 WarpMesh warp_from_map(const FloatMap& map, TextureDirection direction);
 
-//! Converts a mesh to a map of the given size. Uses the nodes if they are already at the map's
-//! positions, otherwise resampled_warp(). Third components are 0; samples that no drawn cell covers
-//! are NaN.
+//! Converts a mesh to a map of the given size with resampled_warp(). Third components are 0;
+//! samples that neither a drawn cell nor a node covers are NaN.
 FloatMap map_from_warp(const WarpMesh& mesh, int width, int height, TextureDirection direction);
 
 //! Returns a mesh's values at the positions of a map of the given size. Each cell is two triangles,
 //! divided from the top left corner to the bottom right, with linear interpolation; where cells
-//! overlap the last one counts. Throws Error if they overlap more than those of a real warp.
+//! overlap the last one counts. A position within 0.001 samples of a valid node has that node's
+//! values. Throws Error if cells overlap more than those of a real warp.
 WarpMesh resampled_warp(const WarpMesh& mesh, int width, int height);
 
 //! Returns a mesh that draws the same image, with each cell divided into `steps` x `steps` cells,

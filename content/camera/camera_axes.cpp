@@ -21,7 +21,8 @@ glm::dquat key_orientation(const CameraKey& key) {
   }
   const glm::dvec3 north(0.0, -1.0, 0.0);
   const glm::dvec3 across = glm::cross(forward, north);
-  // Along the spin axis the up direction is undefined; the outward radial direction replaces it.
+  // Looking along e_θ or -e_θ, "up" toward the spin axis is undefined. Right is then e_φ, and up is
+  // -e_r or e_r.
   const glm::dvec3 right = glm::length(across) > 1e-9 ? glm::normalize(across) : glm::dvec3(0.0, 0.0, 1.0);
   const glm::dvec3 up = glm::cross(right, forward);
   const glm::dquat look = glm::quat_cast(glm::dmat3(right, up, -forward));

@@ -47,7 +47,7 @@ struct CameraPose {
 //! changes back in the same way.
 CameraPose camera_pose(const Show& show, double time_s);
 
-//! Returns the orientation of a key.
+//! Returns the rotation of the view's axes into (e_r, e_θ, e_φ) at a key, as in CameraPose.
 glm::dquat key_orientation(const CameraKey& key);
 
 //! Returns the unit vectors e_r, e_θ, e_φ as the columns of a rotation, for polar coordinates
@@ -71,8 +71,8 @@ bool leads_within(const Show& show);
 bool camera_moves(const Show& show);
 
 //! Returns the times between which r and θ are monotonic, in order, from the show's beginning to
-//! its end [s]: keys, turning points of a fall's orbit, and where velocities begin or end their
-//! change to and from the fall's.
+//! its end [s]: keys, turning points of a fall's orbit, where its clock stops, and where velocities
+//! begin or end their change to and from the fall's.
 std::vector<double> path_ends_s(const Show& show);
 
 }  // namespace ergodome

@@ -26,7 +26,7 @@ class FallClock {
   void stop_at(double proper_time);
 
  private:
-  //! A piece of the clock that begins at one time, with the proper time up to there.
+  //! The beginning of an interval of show time, with the proper time up to there [M].
   struct Piece {
     double begin_s;
     double proper_time;

@@ -69,7 +69,8 @@ class FreeFall {
   //! Returns true if the fall's settings allow it to cross the horizon and it does.
   [[nodiscard]] bool leads_within() const { return leads_within_; }
 
-  //! Returns the show time when the orbit crosses the horizon [s]; nothing if it does not.
+  //! Returns the show time when the orbit reaches the horizon (1e-6 M above it if the fall may not
+  //! cross it) [s]; nothing if it does not, or stops at FallSettings::least_r before.
   [[nodiscard]] std::optional<double> horizon_s() const { return horizon_s_; }
 
   //! Returns the show time when the camera's clock stops at FallSettings::least_r [s]; nothing if
@@ -92,7 +93,7 @@ class FreeFall {
     OrbitState state;
     double phi;        //!< continuous azimuth [rad]
     double swept;      //!< angle [rad]
-    glm::dquat frame;  //!< FallPosition::frame as a rotation from fixed axes (z along the spin axis)
+    glm::dquat frame;  //!< FallPosition::frame, but into fixed axes (z along the spin axis)
   };
 
   struct Swing;

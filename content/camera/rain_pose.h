@@ -6,8 +6,9 @@
 
 namespace ergodome {
 
-//! Returns the rotation that rain_axes_from_zamo_axes() computes, in components along (e_r, e_θ,
-//! e_φ).
+//! Returns the Wigner rotation from the axes of an observer boosted from the ZAMO frame to those of
+//! the same observer boosted from the rain frame, in components along (e_r, e_θ, e_φ). `in_zamo`
+//! and `in_rain` are its velocity in the two frames (rain_axes_from_zamo_axes()).
 glm::dquat rain_turn(Spacetime spacetime, double r, double theta, const Vector3<double>& in_zamo,
                      const Vector3<double>& in_rain);
 

@@ -10,8 +10,8 @@ namespace ergodome {
 //! (.partial-RANDOM-NAME), which is then flushed to the disk and renamed. `write` must not replace
 //! that file by another one. A symbolic link stays, and its target is written. If anything fails (a
 //! full disk, a folder without permission, an exception of `write`), removes the partial file,
-//! leaves an older file unchanged, and throws Error. Throws Error if the name is that of a device,
-//! a pipe or a folder.
+//! leaves an older file unchanged, and throws Error or the exception of `write`. Throws Error if
+//! the name is that of a device, a pipe or a folder.
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& partial)>& write);
 
@@ -28,8 +28,8 @@ void require_writable(const std::filesystem::path& path);
 //! still writes, on any machine or in any container, and all files on a file system without locks.
 void remove_abandoned_files(const std::filesystem::path& folder);
 
-//! Returns true if a file's disk is almost full. Libraries do not distinguish this from other
-//! reasons for failed writing.
+//! Returns true if fewer than 64 KiB are free on a file's disk. Libraries do not distinguish this
+//! from other reasons for failed writing.
 bool disk_is_full(const std::filesystem::path& file);
 
 //! Writes text as write_atomically() does.

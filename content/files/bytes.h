@@ -97,7 +97,8 @@ void write_planes(ByteWriter& to, const std::vector<T>& numbers, std::size_t fir
   to.append(planes);
 }
 
-//! Reads every `stride`-th number, beginning at `first`, from such planes.
+//! Reads every `stride`-th number, beginning at `first`, from the four planes that write_planes()
+//! wrote. `numbers` must have its size already.
 template <class T>
 void read_planes(ByteReader& from, std::vector<T>& numbers, std::size_t first, std::size_t stride) {
   static_assert(sizeof(T) == bytes_a_number);

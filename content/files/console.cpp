@@ -16,11 +16,11 @@ namespace ergodome {
 
 namespace {
 
-//! The first error in writing the standard output.
+//! errno of the first failure to write the standard output; 0 if there was none.
 int output_problem = 0;
 
 void write_to(std::FILE* stream, std::string_view text) {
-  // Text between line breaks and tabs is printed in one piece.
+  // Escapes all control characters except line breaks and tabs.
   std::string shown;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find_first_of("\n\t", begin), text.size());
@@ -39,7 +39,8 @@ void write_to(std::FILE* stream, std::string_view text) {
 void prepare_console() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(descriptor, F_GETFD) < 0 && errno == EBADF) {
-      // Opened for reading only, so that printing to it fails as it would have without it.
+      // The descriptor is opened for reading only, so that printing to it fails, as it would have
+      // while it was closed.
       static_cast<void>(::open("/dev/null", O_RDONLY));
     }
   }

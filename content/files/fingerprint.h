@@ -16,8 +16,8 @@ std::string fingerprint(std::string_view text);
 //! bytes. Returns an empty text if the file is missing or unreadable.
 std::string fingerprint_of_file(const std::filesystem::path& file);
 
-//! Returns the fingerprint of the first `bytes` bytes of a file, without that limit. Returns an
-//! empty text if the file is shorter or unreadable.
+//! Returns the fingerprint of the first `bytes` bytes of a file, also above `max_hashed_bytes`.
+//! Returns an empty text if the file is shorter or unreadable.
 std::string fingerprint_of_start(const std::filesystem::path& file, std::uintmax_t bytes);
 
 //! Larger files would take more than some seconds to read from a disk.

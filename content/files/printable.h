@@ -10,7 +10,7 @@ namespace ergodome {
 std::size_t find_control(std::string_view text);
 
 //! Returns text from a file for use in one line of a message: control characters and line breaks
-//! become escapes ("\\x00").
+//! become escapes such as \x1B.
 std::string printable(std::string_view text);
 
 //! Truncates a text to a number of bytes, without splitting a UTF-8 character.

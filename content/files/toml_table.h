@@ -21,17 +21,18 @@ class TomlTable {
   TomlTable(const toml::table& table, std::string file, std::string path)
       : table_(table), file_(std::move(file)), path_(std::move(path)) {}
 
-  //! Reads a finite number within [least, greatest]; returns `otherwise` if the key is absent.
+  //! Reads a number within [minimum, maximum]; returns `otherwise` if the key is absent. Throws
+  //! Error for other values.
   double number(std::string_view key, double otherwise, double minimum, double maximum);
-  //! Reads a list of `min_count` to `max_count` such numbers; returns an empty list if the key is
-  //! absent.
+  //! Reads a list of `min_count` to `max_count` numbers within [minimum, maximum]; returns an empty
+  //! list if the key is absent.
   std::vector<double> numbers(std::string_view key, std::size_t min_count, std::size_t max_count, double minimum,
                               double maximum);
   int integer(std::string_view key, int otherwise, int minimum, int maximum);
   bool boolean(std::string_view key, bool otherwise);
   //! Reads a single line without control characters, of at most 4096 bytes.
   std::string text(std::string_view key, const std::string& otherwise);
-  //! Reads such a text in which line breaks are allowed.
+  //! Reads a text of at most 4096 bytes without control characters other than line breaks.
   std::string lines(std::string_view key, const std::string& otherwise);
 
   //! Reads one of the given words; returns its index.

@@ -16,7 +16,7 @@ constexpr std::size_t packed_chunk_bytes = 1U << 16U;
 //! Maximum compression ratio. Text tables compress by a factor of 3 to 20; a much larger factor
 //! indicates a decompression bomb.
 constexpr std::uint64_t max_unpacked_ratio = 200;
-//! Below this size any ratio is harmless [bytes].
+//! Up to this uncompressed size, any compression ratio is accepted [bytes].
 constexpr std::uint64_t harmless_unpacked_bytes = std::uint64_t{64} << 20U;
 //! 15 bits of window, plus 16: zlib reads the gzip header and checks the trailer's CRC.
 constexpr int gzip_window_bits = 15 + 16;

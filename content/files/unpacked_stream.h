@@ -19,15 +19,15 @@ class UnpackedStream {
   UnpackedStream(const UnpackedStream&) = delete;
   UnpackedStream& operator=(const UnpackedStream&) = delete;
 
-  //! Fills `out` as far as bytes are left, and returns how many it wrote; 0 at the end. Throws
-  //! Error if the stream cannot be read, or if the compressed data are damaged, truncated, or
-  //! expand to an implausible size.
+  //! Writes the next bytes to `out`, and returns how many: at least one, possibly fewer than fit; 0
+  //! at the end. Throws Error if the stream cannot be read, or if the compressed data are damaged,
+  //! truncated, or expand to an implausible size.
   std::size_t read(std::span<char> out);
 
  private:
   struct Inflater;
 
-  //! Reads compressed bytes; returns false at the end of the stream.
+  //! Reads the next bytes of the stream, compressed or not, to `packed_`; returns false at its end.
   bool refill();
   std::size_t unpack(std::span<char> out);
   void require_plausible_size() const;

@@ -88,8 +88,8 @@ TriangleMesh make_disk(const DiskShape& shape) {
   const auto across = [&](double v) { return Vector3<double>{0.0, 0.0, half * (2.0 * v - 1.0)}; };
   const auto face = [&](double side) {
     return [half, radius, side](double u, double v) {
-      // Both faces must run counterclockwise as seen from outside, so the one toward -z runs from
-      // the outer edge inward.
+      // As seen from outside, v must increase counterclockwise from u (add_grid()): inward on the
+      // face toward +z, outward on the one toward -z.
       const double out = side > 0.0 ? 1.0 - v : v;
       return vertex_of(radius(out) * round_axis(u) + Vector3<double>{0.0, 0.0, side * half}, {0.0, 0.0, side}, u, out);
     };

@@ -5,7 +5,7 @@
 
 namespace ergodome {
 
-//! Returns a mesh of one triangle, visible from both sides. Throws Error if it has no area.
+//! Returns a mesh of one triangle. Throws Error if its corners are on one line.
 TriangleMesh make_triangle(const TriangleShape& shape);
 
 //! Returns a sphere of 2 segments (rings - 1) triangles. Texture: u around the axis, v from the

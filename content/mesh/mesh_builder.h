@@ -37,11 +37,12 @@ class MeshBuilder {
   std::uint32_t add_vertex(const SurfaceVertex& vertex);
   void add_triangle(int material, std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
-  //! Adds a sentence about a feature of the file that is drawn differently or not at all. Ignores
-  //! repeated sentences.
+  //! Adds a remark on a feature of the file that is drawn differently or not at all, such as "is
+  //! animated; it is drawn in its default pose". Ignores repeated remarks, and all after 20.
   void remark(const std::string& sentence);
 
-  //! Returns the mesh; `part_of(material)` returns the part of a material without its triangles.
+  //! Moves the mesh out of the builder, with one part per material, in ascending order.
+  //! `part_of(material)` must return the part of a material; its range of indices is set here.
   template <class PartOf>
   TriangleMesh take(const PartOf& part_of) {
     for (const auto& [material, indices] : indices_) {
@@ -65,8 +66,9 @@ class MeshBuilder {
   std::size_t triangles_ = 0;
 };
 
-//! Returns the image with this name in a mesh's file. Throws Error if it is outside the mesh's
-//! folder or missing.
+//! Returns a reference to the image file that a mesh names, as file_of_mesh() finds it. Throws
+//! Error for a data URI, a name that leads out of `folder`, or a missing file. With an empty
+//! `folder`, the reference has the name as it is.
 MeshImage image_beside_mesh(const std::string& name, const std::string& location, const std::filesystem::path& folder);
 
 //! Returns the error for a mesh that names a file that is not in its folder.

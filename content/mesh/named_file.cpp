@@ -9,7 +9,8 @@ namespace ergodome {
 
 namespace {
 
-//! Decodes the percent-encoded bytes of a URI (RFC 3986, 2.1). Leaves malformed codes unchanged.
+//! Decodes the percent-encoded bytes of a URI (RFC 3986, 2.1). Leaves malformed codes and %00
+//! unchanged.
 std::string decoded(std::string_view text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -23,7 +24,8 @@ std::string decoded(std::string_view text) {
   return plain;
 }
 
-//! Finds an entry of a folder by its name in any case, as Windows does.
+//! Returns the path of the entry with this name, in any case, in a folder, as Windows finds it;
+//! empty if there is none.
 std::filesystem::path entry_in_any_case(const std::filesystem::path& folder, const std::string& name) {
   const auto lower = [](std::string text) {
     std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::uint32_t leaf_triangles = 4;
 constexpr int bin_count = 16;
-//! Number of subtrees that are built in parallel: enough to keep all threads equally busy, but so
-//! few that each is large enough.
+//! Subtrees of at most max(min_part, triangles / max_parts) triangles are built in parallel: about
+//! max_parts keep all threads equally busy, and each is large enough.
 constexpr std::size_t max_parts = 256;
 constexpr std::size_t min_part = 4096;
 //! From this depth on, nodes are halved by triangle count, which keeps any mesh within

@@ -11,7 +11,8 @@ namespace ergodome {
 //! use.
 struct TriangleBoxes {
   std::vector<TreeNode> nodes;
-  std::vector<float> corners;  //!< nine numbers per triangle, in the order of the leaves
+  //! Coordinates of the three corners of each triangle, in the order of the leaves.
+  std::vector<float> corners;
   //! Index in the mesh of each triangle, in the same order as `corners`.
   std::vector<std::uint32_t> triangles;
   Vector3<double> middle{};  //!< center of the box around all triangles
@@ -27,7 +28,7 @@ struct TriangleBoxes {
 
 //! Builds the hierarchy top down with the surface area heuristic: each cut minimizes the sum of
 //! area times triangle count over both parts (Wald 2007, with sixteen bins per axis). The mesh must
-//! have between 1 and 2^31 triangles.
+//! have at least 1 and fewer than 2^31 triangles.
 TriangleBoxes build_triangle_tree(const TriangleMesh& mesh);
 
 }  // namespace ergodome

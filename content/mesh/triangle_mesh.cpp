@@ -10,8 +10,8 @@ namespace ergodome {
 
 namespace {
 
-//! Minimum of twice the area over the square of the longest side of a triangle. Below it, a
-//! triangle counts as a line; the limit is a few rounding errors of a float.
+//! Minimum of twice the area over the square of the longest side of a triangle, about the rounding
+//! error of a float. Below it, a triangle counts as a line.
 constexpr double thinnest = 1e-7;
 
 //! Returns true if three corners span an area; false if a coordinate is NaN, as comparisons with it

@@ -52,11 +52,12 @@ struct TriangleMesh {
 //! parts that become empty.
 void drop_degenerate_triangles(TriangleMesh& mesh);
 
-//! Returns the distance of the farthest vertex from the origin of the mesh.
+//! Returns the maximum distance of a triangle's corner from the origin of the mesh.
 double radius_of(const TriangleMesh& mesh);
 
-//! Replaces normals that are zero or non-finite by the mean normal of the faces that share the
-//! vertex, weighted by area. A vertex of a single face gets the face's normal.
+//! Replaces normals that are nearly zero or non-finite by the mean normal of the faces that share
+//! the vertex, weighted by area. If these cancel, the first face's normal is used; vertices without
+//! faces keep theirs.
 void repair_normals(TriangleMesh& mesh);
 
 }  // namespace ergodome

@@ -17,8 +17,8 @@ struct PolygonLimit {
 //! Returns the reason why polygons cannot draw the show's objects; nothing if they can.
 std::optional<PolygonLimit> polygon_limit(const Show& show);
 
-//! Throws Error if hole, camera or light of the show do not allow its objects to be drawn. All of
-//! these must have been read.
+//! Throws Error if the objects of a show use different methods, if lit objects have no light, or if
+//! polygon_limit() applies. The hole, the camera and the light must have been read.
 void check_objects(const TomlTable& root, const Show& show);
 
 }  // namespace ergodome

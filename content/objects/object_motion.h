@@ -22,10 +22,11 @@ struct ObjectPlacement {
   }
 };
 
-//! Returns the angular velocity along an orbit in the hole's time [1/M], 1 / (r^(3/2) + a cos i);
-//! negative if it runs backward. It is that of free fall in the equatorial plane (Bardeen, Press &
-//! Teukolsky 1972, eq. 2.16), prograde and retrograde, and around holes without spin. An inclined
-//! orbit around a spinning hole would not stay a circle; its rate is interpolated.
+//! Returns the angular velocity along an orbit in the hole's time [1/M]: 1 / (r^(3/2) + a cos i),
+//! or -1 / (r^(3/2) - a cos i) if it runs backward. It is that of free fall in the equatorial plane
+//! (Bardeen, Press & Teukolsky 1972, eq. 2.16), prograde and retrograde, and around holes without
+//! spin. An inclined orbit around a spinning hole would not stay a circle; its rate is
+//! interpolated.
 double orbit_rate(const ObjectOrbit& orbit);
 
 //! Returns an object's placement at a show time.

@@ -11,7 +11,8 @@ namespace {
 
 using Steps = std::span<const AnimatableNumber::Step>;
 
-//! Returns the struct in a show to which the steps lead, or nullptr if the show does not have it.
+//! Returns the struct or number in a show to which the steps lead, or nullptr if the show does not
+//! have it.
 void* part_at(const Show& show, Steps steps) {
   void* at = const_cast<Show*>(&show);
   for (const auto& [key, entry] : steps) {

@@ -48,7 +48,6 @@ struct AnimatableNumber {
   void put(Show& show, double value) const;
 };
 
-//! Returns all animatable numbers.
 std::span<const AnimatableNumber> animatable_numbers();
 
 //! Returns the animatable number with this path, or nullptr.
@@ -61,8 +60,8 @@ NumberLimits limits_of(std::string_view path);
 //! show's view and other parts must have been read.
 NumberLimits limits_in(const Show& show, const AnimatableNumber& number);
 
-//! Returns why a number that is not in the list cannot be animated, and the remedy; nothing if the
-//! path is not a number of shows.
+//! Returns why the key at a path cannot be animated, with the remedy (ShowKey::fixed); nothing if
+//! the path is unknown or no reason is declared.
 std::optional<std::string> why_not_animatable(std::string_view path);
 
 }  // namespace ergodome

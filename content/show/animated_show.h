@@ -15,7 +15,8 @@ namespace ergodome {
 //! they are as exact as doubles can represent them.
 double value_at(const Animation& animation, double time_s);
 
-//! Returns the same for a number with `count` keys, at least one; `key(i)` returns any of them.
+//! Returns the value at a show time of a number with `count` keys, at least one; `key(i)` returns
+//! any of them.
 double value_at(std::size_t count, const std::function<NumberKey(std::size_t)>& key, double time_s);
 
 //! Sets every animated number of the show to its value at a show time, and returns what must be

@@ -19,7 +19,7 @@ inline constexpr std::array flight_mode_names = {"orbit", "fly", "hover", "geode
 struct ComfortSettings {
   double turn_deg_s = 60.0;         //!< maximum turn rate of the view
   double turn_accel_deg_s2 = 90.0;  //!< maximum change of the turn rate
-  //! Maximum change of the speed [distances from the guard surface per s²].
+  //! Maximum acceleration per distance from the guard surface [1/s²].
   double accel = 1.5;
 
   bool operator==(const ComfortSettings&) const = default;
@@ -30,7 +30,7 @@ struct FlightSettings {
   FlightGuard guard = FlightGuard::horizon;
   FlightMode mode = FlightMode::orbit;
   FlightStart from = FlightStart::path;
-  double max_speed = 0.6;  //!< maximum speed [distances from the guard surface per s]
+  double max_speed = 0.6;  //!< maximum speed per distance from the guard surface [1/s]
   double least_r = 0.0;    //!< minimum radius, if it is outside the guard surface [M]; 0: none
   double most_r = 1e5;     //!< [M]
   double return_s = 4.0;   //!< duration of the way back to the show's path; longer if `comfort` requires it

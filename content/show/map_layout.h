@@ -17,10 +17,10 @@ struct MapLayout {
   bool operator==(const MapLayout&) const = default;
 };
 
-//! Returns the rotation from the axes of a map's texels (direction_from_map(), after mirrored rows
-//! were reversed) to equatorial J2000. Source: the galactic axes of the Hipparcos catalog (ESA
-//! SP-1200, volume 1, equation 1.5.11), and the obliquity of the ecliptic of the IAU 1976 system,
-//! 23° 26' 21.448".
+//! Returns the rotation from the axes of a map's texels (direction_from_map(), after a mirrored map
+//! was flipped from left to right) to equatorial J2000. Source: the galactic axes of the Hipparcos
+//! catalog (ESA SP-1200, volume 1, equation 1.5.11), and the obliquity of the ecliptic of the IAU
+//! 1976 system, 23° 26' 21.448".
 glm::dmat3 equatorial_from_map(const MapLayout& layout);
 
 }  // namespace ergodome

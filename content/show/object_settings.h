@@ -97,7 +97,8 @@ struct PointLight {
 //! float tables barely distinguish from the edge of the shadow.
 inline constexpr int max_polygon_images = 5;
 
-//! Radii that the triangles of objects may reach [M], and minimum radius of observers and lights.
+//! Range of the radii of objects' triangles with ObjectMethod::polygon [M]; minimum radius of
+//! objects' orbits, of lights and, with ObjectMethod::polygon, of cameras.
 inline constexpr double nearest_of_objects = 2.1;
 inline constexpr double farthest_of_objects = 1e5;
 inline constexpr double nearest_of_observers = 3.0;

@@ -71,10 +71,10 @@ struct SkySettings {
   MapLayout map_layout;           //!< layout of the map, if that is a path
   std::string stars;              //!< a built-in name, a path, or empty for no stars
   StarMethod star_method = StarMethod::inverse;
-  double faintest_mag = 10.0;       //!< images of stars fainter than this are not drawn
+  double faintest_mag = 10.0;       //!< star images that appear fainter than this are not drawn
   double spin_axis_ra_deg = 270.0;  //!< direction of the hole's spin axis, J2000
   double spin_axis_dec_deg = 66.6;
-  double exposure = 1.0;  //!< factor on the map's light
+  double exposure = 1.0;  //!< factor on the light of map and stars
   SkyFilter filter = SkyFilter::ewa;
   SkyShift shift = SkyShift::luminance;  //!< effect of EffectSettings::redshift on the map; shows cannot use `none`
   //! Multiplies the map's light by the magnification, as Verbraeck & Eisemann do, although this
@@ -85,8 +85,8 @@ struct SkySettings {
 //! The spot that an image of a star is drawn as. Sizes are in pixels for images up to 4k; on a
 //! larger dome or full-sky image the spot keeps its angular size.
 struct PointSpreadSettings {
-  //! Of a Gaussian. Two pixels wide at half maximum by default, so that moving stars do not
-  //! flicker. 0: a single pixel.
+  //! Standard deviation of the Gaussian spot. By default it is two pixels wide at half maximum, so
+  //! that moving stars do not flicker. 0: a single pixel.
   double sigma_px = 0.85;
   double cutoff_px = 0.0;  //!< radius of the spot; 0: three times sigma_px
 };
@@ -156,15 +156,15 @@ struct ViewSettings {
   ViewProjection projection = ViewProjection::dome;
   double field_of_view_deg = 180.0;
   double tilt_deg = 0.0;
-  bool artistic_tilt = false;  //!< a dome setup does not override the tilt
-  int size_px = 1024;          //!< width of the image; of one face if each has a file
+  bool artistic_tilt = false;  //!< true: a dome setup does not override the tilt
+  int size_px = 1024;          //!< width of one eye's image; of one face if each has a file
   double aspect = 1.0;         //!< width over height, for the pinhole view
   bool from_outside = false;   //!< mirrors the image
   double vignette = 0.0;       //!< part of the light lost at the edge of a dome's or pinhole's picture
   //! Lens of the dome view; the next three members are also for the dome view.
   LensLaw lens = LensLaw::equidistant;
-  //! Coefficients of LensLaw::polynomial: of t, t³, t⁵, t⁷ [rad], where t is in half widths of the
-  //! image.
+  //! Coefficients of t, t³, t⁵ and t⁷ in the radius of LensLaw::polynomial [half widths of the
+  //! image], where t is the angle from the axis [rad].
   std::array<double, 4> polynomial = {};
   DomeTruncation truncation;
   Vector3<double> viewer = {0.0, 0.0, 0.0};  //!< position relative to the dome's center: right, up, back; in dome radii
@@ -245,7 +245,7 @@ struct ToneSettings {
   ToneCurve curve = ToneCurve::shoulder;
   double exposure_stops = 0.0;
   double white = 4.0;  //!< light that `reinhard` displays as white
-  double gamma = 2.2;  //!< exponent with which `gamma` brightens dark light
+  double gamma = 2.2;  //!< for the curve `gamma`: light is raised to the power 1 / gamma
   std::optional<AutoExposureSettings> automatic;
 };
 

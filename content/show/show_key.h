@@ -57,7 +57,8 @@ struct PageText {
 struct ShowKey {
   std::string_view name;
   KeyKind kind = KeyKind::other;
-  NumberLimits limits{0.0, 0.0};       //!< limits of a number, or of the numbers in a list
+  //! Limits of a number, or of the numbers in a list, in the unit of the file.
+  NumberLimits limits{0.0, 0.0};
   std::span<const char* const> words;  //!< allowed words, in the order of the enumeration's values
   std::int32_t first_word = 0;         //!< enumeration value of the first word
   std::span<const ShowKey> keys;       //!< keys of the table, for a table or a list of tables

@@ -65,7 +65,8 @@ constexpr auto unused_light = [](const Show& show, const Show& /*settings*/) {
                                                                   : nullptr;
 };
 
-// read_camera() reads it when the numbers that it depends on are known.
+// Only marks [camera] as a known key. read_camera() reads it later, when the numbers that it
+// depends on are known.
 constexpr auto read_camera_later = [](TomlTable& root, Show& /*show*/) { root.node("camera"); };
 
 constexpr auto write_camera = [](toml::table& root, const Show& show) {

@@ -26,11 +26,12 @@ KeyTable<CameraSettings> camera_keys();
 //! Returns the keys of the whole file.
 std::span<const ShowKey> show_keys();
 
-//! Throws Error if the disk's edges are out of order, or if its matter cannot exist there at some
-//! time.
+//! Throws Error if the outer edge of the disk is not outside the inner one, or if at no time of the
+//! show matter can exist at the inner edge.
 void check_disk(const toml::table& table, const std::string& file, const Show& show);
 
-//! Throws Error if a shell is inside the horizon, or too close to it, at any time.
+//! Throws Error if the minimum radius of a shell during the show is inside the maximum radius of
+//! the horizon, or too close to it, even if they are reached at different times.
 void check_shells(TomlTable& root, const std::string& file, const Show& show);
 
 }  // namespace ergodome

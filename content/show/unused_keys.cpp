@@ -16,7 +16,8 @@ class UnusedKeyFinder {
  public:
   explicit UnusedKeyFinder(const Show& show) : show_(show) {}
 
-  //! Reports a key, the keys in its table and the animations of both as unused.
+  //! Records as unused: a key, the keys below it if it has no line of its own in the file, and the
+  //! animations of the key and of all keys below it.
   void add(const std::string& key, const char* why) {
     for (const auto& [path, line] : show_.lines) {
       std::string_view of = path;

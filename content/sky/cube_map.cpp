@@ -67,7 +67,7 @@ FacePosition position_in_cross(const FacePoint& point, bool vertical) {
 }
 
 //! Converts a position on a face to OpenEXR's layout, whose X axis points to the left of a viewer
-//! facing along Z, and whose side faces are turned by 90°.
+//! facing along Z, and whose top and bottom faces are turned by 180°.
 FacePosition position_in_openexr(const FacePoint& point) {
   switch (point.face) {
     case left_face:  // +X
@@ -102,7 +102,8 @@ FacePosition face_position(const ViewDirection& direction, CubeMapLayout layout)
   return position_in_cross(point, layout == CubeMapLayout::vertical_cross);
 }
 
-//! Writes the bilinear color at a position; beyond the edge of the face, edge texels are repeated.
+//! Adds the bilinear color at a position to `to`; beyond the edge of the face, edge texels are
+//! repeated.
 void put_color(const EnvironmentImage& cube, int side, const FacePosition& at, float* to) {
   const auto corner = [&](double part) { return std::clamp(part * side - 0.5, 0.0, side - 1.0); };
   const double x = corner(at.s);
@@ -123,7 +124,8 @@ void put_color(const EnvironmentImage& cube, int side, const FacePosition& at, f
   }
 }
 
-//! Returns true if a cell of a cross has a single color, except in its outermost texels.
+//! Returns true if a cell of a cross has a single color, except within an eighth of its width from
+//! its edges.
 bool is_plain_cell(const EnvironmentImage& image, int side, int column, int row) {
   constexpr float tolerance = 0.02F;
   const int margin = std::min(side / 8 + 1, side / 2);

@@ -58,20 +58,13 @@ struct LayeredFile {
 //! Splits a name at its last "#", unless a file with the full name exists.
 LayeredFile layered_file(const std::filesystem::path& name);
 
-//! Reads an equirectangular image (2:1; EXR, HDR, PNG, TIFF, JPEG, ...) through OpenImageIO. The
-//! name may select an OpenEXR layer.
-//!
-//! Colors become linear Rec. 709 light according to the file's metadata; without metadata, integers
-//! are sRGB and floating point is linear. Gray becomes RGB, and transparent colors are blended over
-//! black. A crop of a panorama (GPano) is put at its position in a black one. Images wider than
-//! `largest_width` are averaged down to it while they are read, so a 32k map needs no more memory
-//! than an 8k one.
-//!
-//! Throws Error if the file is missing, damaged, of another shape, narrower than 8 or wider than
-//! 65536 pixels, or has only NaN texels.
+//! Reads an equirectangular image (2:1) or a cube map (CubeMapLayout), which becomes
+//! equirectangular; EXR, HDR, PNG, TIFF, JPEG and others, through OpenImageIO. The name may select
+//! an OpenEXR layer.
 EnvironmentImage read_environment_image(const std::filesystem::path& name, int largest_width = 8192);
 
-//! Reads such an image from the bytes of a file; the ending of `name` gives its format.
+//! Reads a sky image, as the function above does, from the bytes of a file; the ending of `name`
+//! gives its format.
 EnvironmentImage read_environment_image(std::span<const std::byte> bytes, const std::string& name,
                                         int largest_width = 8192);
 

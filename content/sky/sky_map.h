@@ -9,15 +9,17 @@
 
 namespace ergodome {
 
-//! Returns the folder with the built-in maps and shows: $ERGODOME_CONTENT, or beside the program,
-//! or the source folder of the build.
+//! Returns the folder with the built-in maps and shows: $ERGODOME_CONTENT, or that of the
+//! installation (../share/ergodome/content beside the program), or that of the source tree. Throws
+//! Error if it has no maps.
 std::filesystem::path built_in_content_folder();
 
 //! Returns true if a show's value for `map` is a built-in name, not a file.
 bool is_built_in_sky(const std::string& name);
 
 //! Loads the sky map of a show: a built-in name ("milky_way", "grid", "black") or a path, relative
-//! to the show's folder. Reverses the rows of a map with a mirrored layout.
+//! to the show's folder. Flips a map with a mirrored layout from left to right. Throws Error if the
+//! image cannot be read.
 EnvironmentImage load_sky_map(const Show& show);
 
 //! Returns a test sky for distortion: lines every 15° of latitude and longitude, a hue for each

@@ -33,7 +33,6 @@ struct Substitute {
   const char* what;
 };
 
-//! Returns the known substitutes.
 std::span<const Substitute> column_substitutes();
 
 //! Returns the text in brackets at the end of a name: "deg" of "RA (deg)" or "ra[deg]".

@@ -17,7 +17,8 @@ struct SkyAngle {
 
 //! Parses a decimal number or a sexagesimal coordinate: `05 14 32.27`, `05:14:32.27`,
 //! `5h14m32.27s`, `-08 12 05.9`, `+89°15′51″`. A sign applies to all parts, so `-00 30 00` is -0.5.
-//! Returns nothing for other text, and for minutes or seconds beyond 60.
+//! Returns nothing for other text, minutes of 60 or more, seconds above 60, and decimals before the
+//! last part.
 std::optional<SkyAngle> parse_sky_angle(std::string_view text);
 
 }  // namespace ergodome

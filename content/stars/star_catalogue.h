@@ -63,7 +63,8 @@ StarCatalogue load_stars(const Show& show);
 //! Returns a note that the catalog of a show contains no stars.
 std::string note_of_no_stars(const Show& show);
 
-//! Returns a note about rows of a show's catalog that were skipped.
+//! Returns a note about rows of a show's catalog that were skipped, except those skipped on purpose
+//! (RowsLeftOut::meant).
 std::string note_of_left_out(const Show& show, const std::vector<RowsLeftOut>& left_out);
 
 //! Reads a catalog from a file in the project's own format (star_file.h) or a text table

@@ -13,8 +13,8 @@ double b_v_from_bp_rp(double bp_rp);
 //! EPL 97, 34008, 2012, eq. 14). NaN below 1000 K.
 double b_v_from_temperature(double temperature_k);
 
-//! Returns V from Gaia's G and BP-RP (Riello et al., A&A 649, A3, 2021, table C.2; -0.5 < BP-RP <
-//! 5). Returns G if BP-RP is NaN.
+//! Returns V from Gaia's G and BP-RP (Riello et al., A&A 649, A3, 2021, table C.2), with BP-RP
+//! clamped to [-0.5, 5]. Returns G if BP-RP is NaN.
 double v_from_gaia(double g_mag, double bp_rp);
 
 //! Returns V or B-V from Tycho's magnitudes (ESA SP-1200, vol. 1, sect. 1.3). V is VT if BT is NaN.

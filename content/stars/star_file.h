@@ -23,7 +23,7 @@ namespace ergodome {
 //!                missing B-V. Brightest first.
 StarCatalogue read_star_file(const std::filesystem::path& path);
 
-//! Parses such a file from memory; `location` is its name in messages. Throws Error if it is
+//! Parses a star file from memory; `location` is its name in messages. Throws Error if it is
 //! damaged, truncated, of a newer version, or of another format.
 StarCatalogue parse_star_file(std::span<const std::byte> bytes, const std::string& location);
 

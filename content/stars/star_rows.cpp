@@ -22,8 +22,8 @@ namespace {
 
 constexpr std::size_t max_stars = 100'000'000;
 
-//! Magnitude of an object at distance 0 below which it is the Sun, for which catalogs have a
-//! distance of 0.
+//! An object at distance 0 with a magnitude below this is the Sun. Catalogs also write a distance
+//! of 0 for stars with an unknown distance.
 constexpr double brightest_but_the_sun = -20.0;
 
 //! Maximum absolute color; catalogs write 99 for an unknown one.

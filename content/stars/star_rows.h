@@ -22,7 +22,8 @@ class StarRows {
   //! Sets the columns and the character between cells, before the first row.
   void begin(TableColumns columns, char separator);
 
-  //! Adds a row. Throws Error for cells that are not numbers, and for values out of range.
+  //! Adds the star of a row; counts the row as skipped if it has no position or magnitude, or is
+  //! that of the Sun. Throws Error for cells that are not numbers, and for values out of range.
   void take(const RowCells& cells, std::size_t line);
 
   //! Checks whether a row contains units, and if so applies them to the columns. Returns true if it

@@ -19,7 +19,7 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t longest_cell = 65'536;
-//! Maximum size of the header and of lines before it [bytes].
+//! The header, or a line before it, that is longer is processed as if it ended here [bytes].
 constexpr std::size_t longest_kept_line = 1U << 20U;
 constexpr std::size_t max_described_columns = 4096;
 

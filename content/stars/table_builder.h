@@ -23,8 +23,8 @@ class TableBuilder {
 
   void take_cell(std::string_view cell);
 
-  //! Ends a row. `end` is the character that ended it; a carriage return is followed by a line
-  //! feed.
+  //! Ends a row. `end` is the character that ended it. A carriage return is not counted as the end
+  //! of a line, because a line feed follows it.
   void end_row(int end);
 
   //! Counts a line that is not passed to the parser.

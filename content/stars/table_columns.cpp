@@ -189,7 +189,8 @@ TableColumns choose_columns(const std::vector<std::string>& names, const UnitsBy
   for (int quantity = declination + 1; quantity < quantity_count; ++quantity) {
     auto found = candidates_for(static_cast<Quantity>(quantity), plain);
     if (!found.empty()) {
-      // Uses the first column with a number: HYG's id precedes hip.
+      // Of several columns with catalog numbers, the leftmost is read: HYG's id, which precedes
+      // hip.
       read(quantity == catalogue_number ? *std::ranges::min_element(found, {}, &Candidate::column) : found.front());
     }
   }

@@ -38,8 +38,8 @@ class NumberTable {
   //! Returns the index of a required column. Throws Error if it is missing.
   [[nodiscard]] std::size_t need(std::string_view name) const;
 
-  //! Reads the next nonempty line; returns false at the end. Throws Error if it has more cells than
-  //! the first line.
+  //! Reads the next nonempty line; returns false at the end. Throws Error if it has nonempty cells
+  //! beyond the columns of the first line.
   bool next(TableLine& line);
 
  private:

@@ -11,7 +11,7 @@ namespace ergodome {
 
 //! A light ray to trace: the hole's spin, a camera at φ = 0, its observer, and a direction.
 struct RayRow {
-  std::string id;  //!< as in the file; the row's number if the file has no such column
+  std::string id;  //!< as in the file; the row's index from 0 if the file has no such column
   Spacetime spacetime;
   double r = 0.0;      //!< [M]
   double theta = 0.0;  //!< [rad]
@@ -28,8 +28,9 @@ struct RayRow {
 //! "rain_boost"; `id` is optional, others are ignored).
 //!
 //! Throws Error with file and line for missing columns (those of a velocity only if a row needs
-//! them), invalid numbers, cameras inside the horizon with an observer that is not rain or too
-//! close to the inner horizon, observers that cannot exist, and directions of zero length.
+//! them), invalid numbers, cameras inside the horizon unless the observer is rain or rain_boost,
+//! cameras too close to the inner horizon, observers that cannot exist, velocities that differ from
+//! that of the named observer, and directions of zero length.
 std::vector<RayRow> read_ray_table(const std::filesystem::path& path);
 
 //! Reads a table of rays from a stream; `file` is its name in messages. Without `need_directions`

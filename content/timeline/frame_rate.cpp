@@ -6,7 +6,7 @@
 namespace ergodome {
 
 FrameRate frame_rate_of(double frames_per_second) {
-  // Accepts rounded values of these rates: film software writes them with two or three decimals.
+  // Accepts values such as 29.97, which film software rounds to two or three decimals.
   constexpr double short_for_hz = 0.005;
   for (const std::int64_t whole : {24, 30, 48, 60, 120}) {
     if (std::abs(frames_per_second - static_cast<double>(whole) * 1000.0 / 1001.0) < short_for_hz) {

@@ -12,8 +12,9 @@ struct FrameRate {
   bool operator==(const FrameRate&) const = default;
 };
 
-//! Returns the rate that a number stands for, to 1e-6 Hz. Numbers within 0.005 Hz of 23.976, 29.97,
-//! 47.952, 59.94 and 119.88 become 1000/1001 of a whole rate.
+//! Returns the rate that a number stands for, to 1e-6 Hz, clamped to 0.001 to 1000 Hz; 30 Hz for
+//! NaN. Numbers within 0.005 Hz of 23.976, 29.97, 47.952, 59.94 and 119.88 become 1000/1001 of a
+//! whole rate.
 FrameRate frame_rate_of(double frames_per_second);
 
 //! Returns the exact rate if the number abbreviates 1000/1001 of a whole rate, else the number

@@ -48,7 +48,8 @@ struct SpanEnds {
 //! `key(i)` returns any of them.
 //!
 //! Curves rest at the first and the last key, where a key is held, where Ease::in leaves and
-//! Ease::out arrives, and next to a jump.
+//! Ease::out arrives, and next to a jump. Exceptions, at the first key, the last key and a jump:
+//! with Ease::out a curve begins, and with Ease::in it ends, with SpanEnd::at_speed.
 SpanEnds span_ends(std::size_t count, std::size_t i, const std::function<CurveKey(std::size_t)>& key);
 
 //! Returns the two derivatives that both spans at a key share: those of the parabola through it and

@@ -12,7 +12,7 @@ namespace ergodome {
 bool is_language_tag(std::string_view tag);
 
 //! Reads a text that is either a string or a table of strings by language tags. Throws Error if it
-//! is missing or empty.
+//! is missing or empty, or if a tag is invalid.
 LocalText read_local_text(TomlTable& table, std::string_view key);
 
 //! Adds a text: a string, or a table of strings if it has languages.

@@ -20,7 +20,8 @@ PackedBytes pack_station(const LensStation& station);
 LensStation unpack_station(std::span<const std::byte> packed, std::uint64_t unpacked_bytes,
                            const std::string& location);
 
-//! Decodes a station from uncompressed bytes in the same way.
+//! Decodes a station from the uncompressed bytes of station_layout(). Throws Error as
+//! unpack_station() does.
 LensStation parse_station_layout(std::span<const std::byte> raw, const std::string& location);
 
 //! Returns the uncompressed bytes of a station.
@@ -33,7 +34,8 @@ PackedBytes pack_disk(const DiskStation& station);
 //! `location`, for anything that kernels could not read safely.
 DiskStation unpack_disk(std::span<const std::byte> packed, std::uint64_t unpacked_bytes, const std::string& location);
 
-//! Decodes disk layers from uncompressed bytes in the same way.
+//! Decodes disk layers from the uncompressed bytes of disk_layout(). Throws Error as unpack_disk()
+//! does.
 DiskStation parse_disk_layout(std::span<const std::byte> raw, const std::string& location);
 
 //! Returns the uncompressed bytes of disk layers.

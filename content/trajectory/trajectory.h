@@ -68,7 +68,7 @@ struct MissedGaps {
 //! `limit_px`. Ignores errors of disks, because grids are recomputed where these are too large.
 MissedGaps missed_gaps(const std::vector<StationEntry>& stations, double limit_px);
 
-//! Returns the name of a station in a trajectory file for messages.
+//! Returns the name of a station for messages: "FILE: station 3" for index 2.
 std::string station_position(const std::filesystem::path& file, std::size_t station);
 
 Bytes to_bytes(const TrajectoryProvenance& provenance);

@@ -15,14 +15,14 @@ namespace ergodome {
 //! is lost, and the bake can resume.
 class TrajectoryJournal {
  public:
-  //! Opens or creates a journal, and removes a truncated frame at its end. Throws Error if another
-  //! process uses the journal, or if it belongs to another bake.
+  //! Opens or creates a journal, and removes a truncated or damaged frame and all that follows it.
+  //! Throws Error if another process uses the journal, or if it belongs to another bake.
   TrajectoryJournal(const std::filesystem::path& path, const TrajectoryProvenance& provenance);
 
   [[nodiscard]] bool has_station(double time_s) const { return stations_.contains(time_s); }
   [[nodiscard]] std::size_t station_count() const { return stations_.size(); }
 
-  //! Reads an existing station.
+  //! Reads the station at this time, which must exist.
   [[nodiscard]] LensStation read(double time_s) const;
   void add(double time_s, const LensStation& station);
 
@@ -39,7 +39,7 @@ class TrajectoryJournal {
   void absorb(const TrajectoryJournal& other);
 
   //! Writes the finished file atomically: the stations of these times, in order, each followed by
-  //! its disk layers, and the gaps between them.
+  //! its disk layers, and an index with the errors of the gaps between them.
   void seal(const std::filesystem::path& path, const std::vector<double>& times_s) const;
 
  private:

@@ -16,8 +16,9 @@
 namespace ergodome::inline ERGO_TARGET {
 
 //! Types that belong to a real type: `Scalar` is the number type of one lane (float or double),
-//! `Real` the type without derivatives, and `Integer` a pack of integers of the same width as
-//! Scalar. `lane_count` is the number of lanes.
+//! `Real` the type without derivatives, `Mask` the result of a comparison, and `Integer` one
+//! integer per lane, as wide as Scalar (dual numbers have none). `lane_count` is the number of
+//! lanes.
 template <class T>
 struct RealTraits {
   using Scalar = T;
@@ -103,13 +104,13 @@ ERGO_HD T absolute(const T& a) {
   return select(a < T(ScalarOf<T>(0)), -a, a);
 }
 
-//! Returns sqrt(a), or 0 for small negative numbers that come from rounding.
+//! Returns sqrt(a), or 0 if a is negative or NaN: rounding may make a square slightly negative.
 template <class T>
 ERGO_HD T safe_sqrt(const T& a) {
   return sqrt(select(a > T(ScalarOf<T>(0)), a, T(ScalarOf<T>(0))));
 }
 
-//! Returns a^p for a > 0 to about 1 %, enough for a step size, in a handful of operations.
+//! Returns a^p for a normal a > 0 and 0 < p < 1, to about 4 %: enough for a step size.
 //!
 //! Uses the exponent bits as a piecewise linear logarithm.
 ERGO_HD float rough_power(float a, float p) {

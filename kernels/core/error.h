@@ -8,7 +8,7 @@ namespace ergodome {
 
 //! The exception of the project: where the error occurred, what is wrong, and what the user can do.
 //!
-//! It is in the lowest folder so that every folder can throw it; the kernels themselves never do.
+//! It is in the lowest folder so that every folder can throw it. Functors of kernels never throw.
 class Error : public std::runtime_error {
  public:
   //! `location` is a file with line or key ("show.toml:12", "rays.csv: row 7"), or the current

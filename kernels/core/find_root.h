@@ -7,7 +7,7 @@
 namespace ergodome::inline ERGO_TARGET {
 
 //! Returns where an increasing continuous function crosses zero in [low, high], to rounding.
-//! Returns the nearer end if it does not cross zero.
+//! Returns `low` if the function is not negative there, and `high` if it is not positive there.
 //!
 //! Inverse quadratic interpolation where safe, otherwise bisection: T. R. Chandrupatla, Advances in
 //! Engineering Software 28 (1997) 145.

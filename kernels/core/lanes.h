@@ -94,8 +94,8 @@ class ChosenLanes {
 
   [[nodiscard]] ERGO_HD int count() const { return count_; }
 
-  //! Writes the selected lanes contiguously. A whole register is written; elements after them are
-  //! undefined.
+  //! Writes the selected lanes contiguously. `to` must have room for a whole register; the elements
+  //! after the selected ones are undefined.
   ERGO_HD void store(float* to, const T& value) const {
     if constexpr (RealTraits<T>::lane_count == 1) {
       *to = value;

@@ -105,7 +105,7 @@ ERGO_HD float disk_pattern(const PatternTime& time, float r, float phi, float ro
 struct DiskProfileTable {
   const float* temperature;  //!< [K]
   int count;
-  float first_r;  //!< r_0 [M]
+  float first_r;  //!< r_0, the innermost stable orbit [M]
   float step;
 };
 

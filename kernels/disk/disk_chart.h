@@ -18,7 +18,7 @@ namespace ergodome::inline ERGO_TARGET {
 //! Position of a direction in the chart, with its derivatives.
 template <class T>
 struct DiskPosition {
-  Dual<T> gamma_turns;  //!< in [0, 1)
+  Dual<T> gamma_turns;  //!< position angle γ [turns], in [0, 1)
   Dual<T> s;
 };
 

@@ -74,8 +74,8 @@ ERGO_HD Vector3<float> disk_light(const DiskAppearance& appearance, const Photon
   const float r = at.r;
   const float frequency = disk_frequency(
       appearance.flow, {r, photon.energy, photon.axial_angular_momentum, photon.shear_constant, at.outwards});
-  // Linear extrapolation across a pixel may give a radius at which this light cannot exist. The
-  // frequency is then 0 or too small, and the light is treated as dark.
+  // Linear extrapolation across a pixel may give a radius at which this light cannot exist. If the
+  // frequency is then not positive, g = 0 makes the light dark where shifts are applied.
   const float g = frequency > 1e-30F ? 1.0F / frequency : 0.0F;
   const float shift = appearance.shifted ? ::logf(maximum(g, 1e-30F)) : 0.0F;
   const Vector3<float> seen =

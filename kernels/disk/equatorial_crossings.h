@@ -13,9 +13,10 @@ inline constexpr int crossing_orders = 3;
 //! How far rays are followed, and how precisely.
 template <class S>
 struct CrossingLimits {
-  //! Outgoing rays end once 1/r is below this value, which is well below that of the photon orbits.
+  //! Outgoing light with a 1/r below this, which is well below that of the photon orbits, does not
+  //! come back. With the delay, rays end there; without it, they go on a little past infinity.
   S outermost_u;
-  S tolerance;  //!< local error
+  S tolerance;  //!< maximum local error of a step, as an angle [rad]
   int step_limit;
 };
 
@@ -50,7 +51,8 @@ ERGO_HD CrossingBounds<S> crossing_bounds(S spin, S outermost_u) {
 }  // namespace detail
 
 //! Follows rays to their first crossings of the equatorial plane outside the horizon, in order; the
-//! camera may be within it. Rays that stay in the plane have none.
+//! camera may be within it. Rays that stay in the plane have none. Without WithDelay, a crossing
+//! past infinity or behind the horizon is stored as well (EquatorialCrossing::u).
 //!
 //! `active_at_start`: lanes to trace. `WithDelay`: computes azimuth and time; without them nothing
 //! is singular at the horizon or at infinity, and steps are longer. Returns false in lanes that

@@ -13,7 +13,7 @@ struct LayerLimits {
   S far_u;
   S highest_u;  //!< straight continuations of layers end at u = highest_u or at u = lowest_u
   S lowest_u;
-  S tolerance;  //!< local error
+  S tolerance;  //!< maximum local error of a step, as an angle [rad]
   int step_limit;
 };
 

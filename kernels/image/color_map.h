@@ -26,8 +26,9 @@ ERGO_HD Vector3<float> heat_color(float value) {
   return {low[0] + part * (high[0] - low[0]), low[1] + part * (high[1] - low[1]), low[2] + part * (high[2] - low[2])};
 }
 
-//! Returns a color for the frequency ratio: red below 0.5 (redshift), blue above, white between.
-//! Display-referred sRGB, 0 to 1.
+//! Returns the color for a position within a heat map's range of frequency ratios: red at 0
+//! (redshift), white at 0.5, blue at 1. Display-referred sRGB, 0 to 1. Values outside are clamped;
+//! NaN is magenta.
 ERGO_HD Vector3<float> shift_color(float value) {
   if (!(value == value)) {
     return {1.0F, 0.0F, 1.0F};

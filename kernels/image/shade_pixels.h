@@ -28,7 +28,8 @@ struct ShadeBatch {
   ProjectionOf<float> projection;  //!< for brightening, and for the width of a row
   int first_row;                   //!< row of the image at which this batch begins, for brightening
   float exposure;                  //!< factor of the sky's light
-  //! Value at the low end of a heat map, or its logarithm for logarithmic ones.
+  //! Value at the low end of a heat map: log10 of error estimate and magnification, log2 of the
+  //! frequency ratio, other channels as they are.
   float range_low;
   float range_high;
   //! On output, the color of each pixel. With SkyFilter::polygon, contains each pixel's filtered

@@ -160,7 +160,8 @@ inline void dispatch_shading(const ShadeBatch& batch, const Action& action) {
 struct ShadeHeatMap {
   ShadeBatch batch;
 
-  //! Returns the channel's value in the units of the color bar.
+  //! Returns the channel's value as on the color bar: log10 of error estimate and magnification,
+  //! log2 of the frequency ratio, other channels as they are.
   ERGO_HD float value(int index) const {
     switch (batch.mode) {
       case ViewMode::steps:

@@ -27,8 +27,8 @@ inline constexpr float brightest_display_light = 0.999F;
 
 inline namespace ERGO_TARGET {
 
-//! Returns the linear display light, mostly in [0, 1], of a channel's light. The shader of the
-//! player implements the same.
+//! Returns the linear display light of a channel's light: 0 to 1 for `shoulder`; the other curves
+//! may exceed 1 for bright light. The shader of the player implements the same.
 //!
 //! `shoulder` keeps light up to 0.8 and compresses what is above towards 1: dome projectors are
 //! dark, and dark skies must remain dark. `reinhard`: Reinhard et al. (SIGGRAPH 2002), eq. 4.

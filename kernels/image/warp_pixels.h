@@ -41,7 +41,7 @@ struct WarpBatch {
   std::int32_t width_px;
   std::int32_t height_px;
   const WarpGroup* groups;  //!< row by row; the last group of a row may extend beyond the row
-  const std::uint16_t* x;   //!< warp_group_px values for each group, as in the arrays below
+  const std::uint16_t* x;   //!< each pixel's x (see WarpGroup); warp_group_px per group, as below
   const std::uint16_t* y;
   const std::uint8_t* level;  //!< mip level of each pixel, in units of 1 / warp_level_steps
   //! Factor of the light, one per pixel. If `coloured`, each group has its red, green and blue

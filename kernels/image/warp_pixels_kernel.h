@@ -55,7 +55,8 @@ inline typename PackMask<float, N>::Register eight_bit_power(const Pack<float, N
   return (Integer)(value + magic).lanes;
 }
 
-//! Bytes of three channels of 16 pixels, interleaved pixel by pixel.
+//! interleave() writes the bytes of three channels of 16 pixels to `to`, pixel by pixel: r g b r g
+//! b ...
 using Bytes16 __attribute__((vector_size(16))) = std::uint8_t;
 inline void interleave(const Bytes16& r, const Bytes16& g, const Bytes16& b, std::uint8_t* to) {
   // Two operands at a time: indices from 16 on select from the second, and zeros are placeholders

@@ -7,9 +7,9 @@
 // Checks the outputs of kernels for NaN and infinity.
 namespace ergodome {
 
-//! Returns whether the outputs of every kernel launch are scanned for NaN and infinity. Enabled by
-//! the environment variable ERGODOME_CHECK_NUMBERS=1 or set_numbers_checked(). A launch then reads
-//! all its outputs, which a GPU first copies to the host; if disabled, a launch only tests a flag.
+//! Returns whether every launch scans the outputs that its kernel lists in visit_outputs() for NaN
+//! and infinity. Enabled by the environment variable ERGODOME_CHECK_NUMBERS (not empty and not 0)
+//! or by set_numbers_checked(). Outputs on a GPU are first copied to the host.
 bool numbers_are_checked();
 void set_numbers_checked(bool on);
 

@@ -10,8 +10,8 @@
 // CUDA, kernels/launch/without_cuda.cpp defines them; those that need a GPU throw Error.
 namespace ergodome {
 
-//! Returns why CUDA cannot be used here, or nullptr if it can. Determined once; any driver error
-//! counts as no GPU.
+//! Returns why CUDA cannot be used here, or nullptr if it can. For a driver error, the reason is
+//! CUDA's description of it. Determined once.
 const char* cuda_unavailable_reason();
 
 //! Runs the kernel of a batch on the GPU. Defined where kernels are registered
@@ -19,11 +19,12 @@ const char* cuda_unavailable_reason();
 template <class Batch>
 void launch_on_cuda(const Batch& batch);
 
-//! Waits for everything that the calling thread has launched. Throws Error if a launch failed.
+//! Waits for everything that the calling thread has launched on the GPU, and throws Error if a
+//! launch failed. Does nothing for Backend::cpu.
 void wait_for_device(Backend backend);
 
-//! Computes the prefix sums of counts, and their total at the end: `count` + 1 values. Both arrays
-//! are in the GPU's memory.
+//! Computes the exclusive prefix sums of `count` counts, followed by their total: `count` + 1
+//! values. Both arrays are in the GPU's memory.
 void sum_counts_cuda(const std::int32_t* counts, int count, std::int32_t* sums);
 
 //! Returns how many of the values, which are in the GPU's memory, are below 0.

@@ -113,8 +113,8 @@ void launch(const Batch& batch) {
   count_and_check(Backend::cpu, batch, [&] { launch_on_cpu(batch); });
 }
 
-//! Computes the prefix sums of counts, and their total at the end: `count` + 1 values. Both arrays
-//! are in the backend's memory.
+//! Computes the exclusive prefix sums of `count` counts, followed by their total: `count` + 1
+//! values. Both arrays are in the backend's memory.
 inline void sum_counts(Backend backend, const std::int32_t* counts, int count, std::int32_t* sums) {
   if (backend == Backend::cuda) {
     return sum_counts_cuda(counts, count, sums);

@@ -68,7 +68,8 @@ void count_work(const std::string& name, long elements);
 //! Returns all work so far.
 std::map<std::string, WorkCount> work_done();
 
-//! Returns the work between two calls of work_done().
+//! Returns the differences between two results of work_done(), without work that did not run in
+//! between.
 std::map<std::string, WorkCount> work_between(const std::map<std::string, WorkCount>& before,
                                               const std::map<std::string, WorkCount>& after);
 

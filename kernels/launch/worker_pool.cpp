@@ -17,8 +17,8 @@ constexpr std::chrono::microseconds patience{60};
 //! True in a forked process, which has none of its parent's helpers.
 std::atomic<bool> forked{false};
 
-//! Polls a condition for a while and yields to other threads. Returns false if it did not become
-//! true.
+//! Polls a condition for the time `patience`, and yields to other threads in between. Returns
+//! whether it became true.
 template <class Happened>
 bool happens_soon(const Happened& happened) {
   const auto end = std::chrono::steady_clock::now() + patience;

@@ -15,8 +15,10 @@ struct BlendCheckBatch {
   int count;
   const double* gamma_turns;
   const double* s;
-  double* error_px;  //!< displacement on the screen; 0 for pixels that the lens leaves to rays
-  double* area_px;   //!< screen area of a chart area of one turn of γ times one unit of s [px²]
+  //! Displacement on the screen [px]; 0 in leaves whose pixels are traced, otherwise 1e30 where the
+  //! traced ray does not reach the sky.
+  double* error_px;
+  double* area_px;  //!< screen area of a chart area of one turn of γ times one unit of s [px²]
 };
 
 template <>

@@ -29,7 +29,7 @@ struct NodeBatch {
   int count;
   const float* gamma_turns;
   const float* s;
-  float* nodes;  //!< floats_a_node for each
+  float* nodes;  //!< out: floats_a_node floats for each node
 };
 
 //! A cell to check: its four nodes, position and extent.
@@ -58,12 +58,12 @@ struct CheckBatch {
   int count;                 //!< number of checks: checks_a_cell per cell
   const GridCell* cells;
   const float* nodes;
-  //! Displacement on the screen; huge if the ray of a corner or of the check does not come from the
-  //! sky.
+  //! Displacement on the screen [px], less the noise of the tracing; 1e30 if the ray of a corner or
+  //! of the check does not come from the sky or did not converge.
   float* error_px;
   float* area_px;  //!< area of the cell on the screen, computed with the scale at the check [px²]
   // The error as a displacement of the camera direction in the chart, along γ and along s, in
-  // fractions of the cell's sides. Includes the error of the tracing itself. Huge if unknown.
+  // fractions of the cell's sides. Includes the error of the tracing itself. 1e30 if unknown.
   float* gamma_parts;
   float* s_parts;
 };

@@ -14,13 +14,13 @@ namespace ergodome {
 //! at a constant rate in s. s = 1 is the far pole, and s = 0 the cut-off.
 struct LensChart {
   EdgeCurve edge;
-  float range;  //!< ln x at the far pole minus ln x at the cut-off
+  float range;  //!< rise of ln x from cut-off to far pole; x: fraction of the way from the edge
 };
 
 //! Position of a direction in the chart.
 template <class T>
 struct ChartPosition {
-  T gamma_turns;  //!< in [0, 1)
+  T gamma_turns;  //!< position angle γ [turns], in [0, 1)
   T s;            //!< at most 1; below 0 beyond the cut-off
   //! Angle from the shadow's edge along the circle through the chart's center; negative in the
   //! shadow [rad].
@@ -48,7 +48,7 @@ template <class T>
 struct PolarPosition {
   Dual<T> gamma;       //!< position angle
   Dual<T> alpha;       //!< angle from the center
-  Dual<T> edge_alpha;  //!< of the edge
+  Dual<T> edge_alpha;  //!< angle of the shadow's edge from the center
 };
 
 //! Returns the polar coordinates of a unit direction in the rain frame. Always inlined: its callers
@@ -98,7 +98,7 @@ ERGO_HD ChartPosition<Dual<T>> chart_position(const LensChart& chart, const Vect
 template <class T>
 struct ChartStretch {
   MixedDual<T> alpha;
-  T fraction;    //!< x
+  T fraction;    //!< x: fraction of the way from the shadow's edge to the far pole
   T edge_alpha;  //!< α of the shadow's edge
 };
 

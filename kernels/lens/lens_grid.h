@@ -40,12 +40,13 @@ struct Leaf {
   float gamma_turns;  //!< lower end of the leaf along γ
   float s;            //!< lower end of the leaf along s
   float width_turns;
-  float height;  //!< along s
+  float height;  //!< extent of the leaf along s
 };
 
 inline namespace ERGO_TARGET {
 
-//! Finds the leaf at (γ, s), both clamped to the grid. γ of a mirrored grid is at most half a turn.
+//! Finds the leaf at (γ, s), both clamped to the grid. A mirrored grid covers only γ up to half a
+//! turn, so callers mirror larger γ first.
 ERGO_HD Leaf find_leaf(const LensGrid& grid, float gamma_turns, float s) {
   Leaf at{};
   at.width_turns = (grid.mirrored != 0 ? 0.5F : 1.0F) / static_cast<float>(grid.columns);

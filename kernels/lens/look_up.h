@@ -88,9 +88,9 @@ ERGO_HD T energy_of(const CameraStationOf<ScalarOf<T>>& camera, const Vector3<T>
 
 }  // namespace ERGO_TARGET
 
-//! Rays of one camera, read from lens grids. `rays.method` and the channels `steps`,
-//! `error_estimate` and `mino_time` apply to the rays that are traced (steps 0: read from the
-//! grid).
+//! Rays of one camera, read from lens grids. Rays of flagged leaves are traced by Taylor series;
+//! `rays.method` is ignored. The channels `steps`, `error_estimate` and `mino_time` are 0 for rays
+//! that are read.
 template <class S>
 struct LookUpRaysBatch {
   RayBatch<S> rays;

@@ -21,7 +21,7 @@ struct LookUpPixels {
 
   ERGO_HD void operator()(int index) const { look_up(ViewedPixels<T>(batch.pixels, index)); }
 
-  //! Reads pixels whose viewing directions are known.
+  //! Reads pixels whose viewing directions are known, and traces those of flagged leaves.
   ERGO_HD void look_up(const ViewedPixels<T>& viewed) const {
     const GridValues at(batch, viewed);
     Vector3<Ray> sky = part_of<Ray>(at.read.sky);

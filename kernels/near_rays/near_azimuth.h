@@ -27,10 +27,10 @@ struct SeriesReading {
 
 namespace detail {
 
-//! Expands the azimuth ψ of frame dragging and, if carried, the time t, by division of series (z =
-//! cosθ; rates are in Mino time):
+//! Expands the azimuth ψ of frame dragging and, if carried, the delay t, by division of series (z =
+//! cosθ; rates are in Mino time, backwards):
 //!   Δ u² = (1 - r_+ u)(1 - (a²/r_+) u),
-//!   ψ' = a (2 E u - a L u²) / Δu²,
+//!   ψ' = -a (2 E u - a L u²) / Δu²,
 //!   t' = (1 + a²u²)(E (1 + a²u²) - a L u²) / (u² Δu²) + a (L - a E (1 - z²)).
 template <int Order, NearParts Parts, class T>
 ERGO_HD void expand_drag(ScalarOf<T> spin, const NearRay<T>& ray, const RealOf<T>& inverse_scale, const T* square,

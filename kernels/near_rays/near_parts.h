@@ -40,15 +40,15 @@ struct NearSeries {
   T distance[has_distance(Parts) ? Order + 1 : 1];
 };
 
-//! Constants of a ray as the recurrences use them, in time scaled by 1 / s. For E, C, K and Q see
-//! NearRay.
+//! Constants of a ray as the recurrences use them. Time is Mino time times s = 1 / inverse_scale.
+//! For E, C, K and Q see NearRay.
 template <class T>
 struct NearCoefficients {
-  T linear;       //!< (a² E² - C) / s², the linear coefficient in the equations of both u and z
-  T u_quadratic;  //!< 3 K / s²
-  T u_cubic;      //!< -2 a² Q / s²
-  T polar;        //!< C / s²
-  T spring;       //!< a² E² / s²
+  T linear;       //!< (a² E² - C) / s², for both u and z; s = 1 / inverse_scale
+  T u_quadratic;  //!< 3 K / s²; s = 1 / inverse_scale
+  T u_cubic;      //!< -2 a² Q / s²; s = 1 / inverse_scale
+  T polar;        //!< C / s²; C: polar constant, s = 1 / inverse_scale
+  T spring;       //!< a² E² / s²; s = 1 / inverse_scale
   RealOf<T> inverse_scale;
   //! Lanes whose azimuth and time are in ingoing Kerr coordinates: counts_ingoing().
   MaskOf<RealOf<T>> ingoing;

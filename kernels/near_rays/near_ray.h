@@ -26,8 +26,8 @@ struct NearRay {
   //! As in RayStart: azimuth and time of light that only comes in are in ingoing Kerr coordinates
   //! (near_series.h).
   bool ingoing = false;
-  ScalarOf<T> turn = ScalarOf<T>(0);  //!< as in CameraStation
-  ScalarOf<T> lag = ScalarOf<T>(0);   //!< as in CameraStation [M]
+  ScalarOf<T> turn = ScalarOf<T>(0);  //!< the camera's azimuth in ingoing Kerr coordinates [rad]
+  ScalarOf<T> lag = ScalarOf<T>(0);   //!< outer_lag() of the camera if `ingoing`, otherwise 0 [M]
 };
 
 inline namespace ERGO_TARGET {
@@ -123,7 +123,7 @@ ERGO_HD MaskOf<RealOf<T>> begins_within(ScalarOf<T> spin, const NearRay<T>& ray)
   return value_of(ray.u) * horizon_r > RealOf<T>(S(1));
 }
 
-//! Returns the lanes whose light has been outside the horizon: all that begin there, and of those
+//! Returns the lanes whose light has been outside the horizon: all that begin outside, and of those
 //! that begin within it the light that came in through it, with E (r_+² + a²) - a L > 0. All other
 //! light is from another universe, and dark.
 template <class T>

@@ -126,7 +126,8 @@ ERGO_HD T distance_so_far(const NearSeries<Order, T, Parts>& s) {
   }
 }
 
-//! Replaces coefficients 0 and 1 of the series by those about h, a T or one without derivatives.
+//! Moves the beginning of the series to h: replaces coefficient 0, and for positions also 1, by
+//! those about h. H is T or its type without derivatives.
 template <int Order, class T, NearParts Parts, class H>
 ERGO_HD void move_series(NearSeries<Order, T, Parts>& s, const H& h) {
   const auto move = [&h](auto& c) {

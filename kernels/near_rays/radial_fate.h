@@ -8,7 +8,7 @@ namespace ergodome::inline ERGO_TARGET {
 //! Where a ray may turn between the horizon and infinity.
 template <class Real>
 struct RadialFate {
-  MaskOf<Real> turns;  //!< the ray turns on its way to the barrier
+  MaskOf<Real> turns;  //!< a barrier outside the horizon turns back a ray that comes to it
   Real barrier_u;      //!< 1/r of the barrier's top [1/M]; light past it does not turn any more
 };
 

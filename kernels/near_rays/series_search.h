@@ -8,7 +8,7 @@ namespace ergodome::inline ERGO_TARGET {
 //! How far rays are followed, and how precisely.
 template <class S>
 struct NearLimits {
-  S tolerance;  //!< local error
+  S tolerance;  //!< maximum local error of a step, as an angle [rad]
   int step_limit;
 };
 

@@ -55,7 +55,7 @@ struct ObjectTileBatch {
   TileMark* marks;  //!< one per tile
 };
 
-//! Values of `content` that are not the number of a mesh.
+//! Values of ObjectPixelBatch::content that are not the index of a mesh.
 inline constexpr std::int32_t pixel_of_nothing = -1;
 inline constexpr std::int32_t pixel_of_several = -2;
 
@@ -75,9 +75,10 @@ struct ObjectPixelBatch {
   //! Four per pixel: linear light times the fraction of the pixel that objects cover, and that
   //! fraction.
   float* rgba;
-  float* time;  //!< one per pixel: mean Mino time from the objects to the camera, if there are any
-  //! One per pixel: the mesh that fills it with little contrast, or one of the values above. With
-  //! slices, pixel_of_several means that objects may be thinner than the slices resolve.
+  float* time;  //!< one per pixel: mean Mino time from the objects to the camera; 0 without any
+  //! One per pixel: the index of the mesh that fills it with little contrast, or pixel_of_nothing,
+  //! or pixel_of_several. With slices, pixel_of_several means that objects may be thinner than the
+  //! slices resolve; otherwise the content is the first mesh met.
   std::int32_t* content;
 };
 
@@ -134,7 +135,8 @@ struct FlatObjectPixelBatch {
   const FlatReach* reach;  //!< one per pixel: part of the line of sight on which objects may be
 };
 
-//! Calls action(functor) for a batch of an eye of the stereo model `flat`.
+//! Calls action(functor) for a batch of an eye of the stereo model `flat`. Rays carry the delay
+//! only if a mesh is `retarded`.
 template <template <class, NearParts> class Functor, class T, class Batch, class Action>
 inline void dispatch_flat_objects(bool retarded, const Batch& batch, const Action& action) {
   if (retarded) {

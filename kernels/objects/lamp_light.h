@@ -10,7 +10,7 @@ namespace ergodome {
 struct LampLight {
   LocalFrame frame;
   Vector3<double> velocity;      //!< velocity of the surface in the frame; 0 if it is not needed
-  Vector3<double> direction[2];  //!< see LightRay
+  Vector3<double> direction[2];  //!< towards the light's origin, per way round the hole (LightRay)
   //! Illuminance, for each way round the hole, of a surface at rest in the frame that faces the
   //! light; 0 in shadow.
   double strength[2];
@@ -40,7 +40,7 @@ ERGO_HD double energy_at_rest(Spacetime spacetime, const Vector3<double>& positi
 //! Returns the illuminance of a surface that faces the lamp: strength · e_R² / (e_L⁴ · spread),
 //! where e_L and e_R are the photon's energies that the lamp and an observer at the surface
 //! measure, and `spread` is that of LightRay. Without shift only the number of photons counts:
-//! strength / (e_L² · spread).
+//! strength / (e_L² · spread). With falloff `published`: strength / travel_time².
 ERGO_HD double strength_of(const LampSource& lamp, const LocalFrame& frame, const LightRay& ray) {
   // Behind the hole, next to the axis, only the size of a lamp would keep its light finite, but
   // this lamp is a point. So the brightening is limited, as for stars.
@@ -100,7 +100,7 @@ ERGO_HD double illuminance(const LampLight& light, const Vector3<double>& normal
 struct LitSurfacePoint {
   Vector3<double> point;     //!< pseudo-Cartesian [M]
   Vector3<double> normal;    //!< of unit length
-  Vector3<double> velocity;  //!< dx/dt
+  Vector3<double> velocity;  //!< velocity dx/dt, pseudo-Cartesian
   Vector3<double> start;     //!< slightly off the surface, so that it does not shadow itself
 };
 

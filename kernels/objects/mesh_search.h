@@ -9,7 +9,7 @@ namespace ergodome {
 //! Where light leaves a mesh.
 struct MeshHit {
   int mesh = -1;                 //!< -1: no mesh
-  std::uint32_t tree_index = 0;  //!< number of the triangle in the tree
+  std::uint32_t tree_index = 0;  //!< index of the triangle in its TriangleTree
   double weight_1 = 0.0;         //!< weights of the second and the third corner; the first has the rest
   double weight_2 = 0.0;
   Vector3<double> point;  //!< pseudo-Cartesian [M]
@@ -41,7 +41,7 @@ struct PathInMesh {
   }
 };
 
-//! The path's distance from a triangle's plane, in units of twice the triangle's area.
+//! The path's signed distance from a triangle's plane, times twice the triangle's area.
 template <class Path>
 struct PlaneDistance {
   const Path& path;

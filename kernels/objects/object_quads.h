@@ -50,7 +50,7 @@ struct ObjectQuads {
   struct PixelSum {
     Vector3<float> light;
     float time;
-    float hits, misses;  //!< weights of the samples
+    float hits, misses;  //!< summed weights of the samples that hit a mesh, and of the others
     float darkest, brightest;
     std::int32_t mesh;
     bool several;

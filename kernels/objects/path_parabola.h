@@ -15,8 +15,9 @@ struct PathPiece {
 
   ERGO_HD double middle_h() const { return 0.5 * (from_h + to_h); }
   ERGO_HD double chord() const { return ::sqrt(dot(to - from, to - from)); }
-  //! Returns twice the sagitta, since pieces are short and close to parabolas. A displacement of
-  //! the middle along the chord is only included if the path turns back there.
+  //! Returns the stray, a bound of the path's distance from its chord: twice that of the middle.
+  //! The middle's displacement along the chord counts only beyond a quarter of the chord's length,
+  //! where the path turns back.
   ERGO_HD double stray() const {
     const Vector3<double> bow = middle - 0.5 * (from + to);
     const double along = unevenness();
@@ -42,8 +43,8 @@ ERGO_HD double distance_from_segment(const Vector3<double>& point, const Vector3
   return ::sqrt(dot(rest, rest));
 }
 
-//! Maximum bend and unevenness of a piece, as fractions of its length, for which the position of
-//! its middle shows how far it is from its chord.
+//! Maximum stray and unevenness of a piece, as fractions of its chord, for which the position of
+//! its middle shows how far it is from its chord; visit_pieces cuts other pieces.
 inline constexpr double straight_enough = 0.1;
 inline constexpr double even_enough = 0.15;
 

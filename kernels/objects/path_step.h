@@ -15,7 +15,7 @@ struct RadialBounds {
 
 //! How far rays are followed, and how precisely.
 struct MeshLimits {
-  double tolerance;  //!< local error of the path
+  double tolerance;  //!< maximum local error of a step, as an angle [rad]
   int step_limit;
   double delay = 0.0;  //!< coordinate time that is already counted at the start of the rays [M]
 };
@@ -52,8 +52,8 @@ struct PathStep {
     return r * turned(series_value(s.drag, h), series_value(s.x, h), series_value(s.y, h), series_value(s.z, h));
   }
 
-  //! Returns dm/dλ, backwards, in pseudo-Cartesian axes and without the rotation by frame dragging
-  //! [M].
+  //! Returns dm/dλ, backwards, in pseudo-Cartesian axes [M]. It is rotated by the frame dragging so
+  //! far, but does not include the rate of that rotation.
   ERGO_HD Vector3<T> polar_momentum(const T& h) const {
     const auto& s = series;
     return scale * turned(series_value(s.drag, h), series_rate(s.x, h), series_rate(s.y, h), series_rate(s.z, h));

@@ -96,7 +96,7 @@ class PixelSlices {
   double x_ = 1.0;
   double y_ = 0.0;
   double edge_px_ = 0.0;
-  double first_ = 0.0;  //!< range of the pixel, in roots of the distance
+  double first_ = 0.0;  //!< range of the pixel, as root() of the distance outside the edge
   double last_ = 0.0;
 };
 

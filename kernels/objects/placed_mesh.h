@@ -18,7 +18,7 @@ struct MeshOrbit {
 struct PlacedMesh {
   TriangleTree tree;
   Vector3<double> position;  //!< position at the camera's time
-  double rows[3][3];         //!< a rotation
+  double rows[3][3];         //!< rotation from the mesh's axes to space
   double size;               //!< M per unit of the mesh
   MeshOrbit orbit = {};      //!< its motion
   //! Whether the mesh is seen at the position that it had when the light left it, not at its
@@ -36,8 +36,8 @@ struct MeshScene {
 
 inline namespace ERGO_TARGET {
 
-//! Returns the position of a mesh's middle `delay` before the camera's time; for meshes that are
-//! not retarded, at the camera's time [M].
+//! Returns the position of a mesh's origin (PlacedMesh::position) `delay` before the camera's time;
+//! for meshes that are not retarded, at the camera's time [M].
 ERGO_HD Vector3<double> mesh_position(const PlacedMesh& mesh, double delay) {
   if (!mesh.retarded) {
     return mesh.position;
@@ -60,12 +60,12 @@ ERGO_HD Vector3<double> turned_with_mesh(const PlacedMesh& mesh, const Vector3<d
           rows[2][0] * v.x + rows[2][1] * v.y + rows[2][2] * v.z};
 }
 
-//! Returns the center of the bounding ball of a mesh at `position` [M].
+//! Returns the center of the bounding ball of a mesh whose origin is at `position` [M].
 ERGO_HD Vector3<double> ball_middle(const PlacedMesh& mesh, const Vector3<double>& position) {
   return position + mesh.size * turned_with_mesh(mesh, mesh.tree.middle);
 }
 
-//! Converts a point to the unit and the axes of a mesh whose middle is at `position`.
+//! Converts a point to the unit and the axes of a mesh whose origin is at `position`.
 ERGO_HD Vector3<double> in_mesh(const PlacedMesh& mesh, const Vector3<double>& position, const Vector3<double>& point) {
   const Vector3<double> d = (1.0 / mesh.size) * (point - position);
   const auto& rows = mesh.rows;

@@ -72,9 +72,9 @@ ERGO_HD double max_r_of_tiles(const ObjectScene& objects, const Vector3<Dual<T>>
 //! A pixel's footprint on the path of the ray in its middle [M]: distances of its neighbors at the
 //! same time.
 struct PixelOnPath {
-  double width;              //!< neighbors in x and y of the picture combined
+  double width;              //!< distances of the neighbors in x and in y of the picture, added
   double across, along;      //!< parts of `width` across the path and along it
-  double widest, narrowest;  //!< maximum and minimum across the path
+  double widest, narrowest;  //!< maximum and minimum distance of a neighbor, across the path
   Vector3<double> narrow;    //!< direction of `narrowest`
 };
 

@@ -20,8 +20,8 @@ struct TreeNode {
 //! A mesh for rays, in its own unit: a tree of boxes, the root first. An empty mesh has no nodes.
 struct TriangleTree {
   const TreeNode* nodes;
-  const float* corners;            //!< nine numbers per triangle, in the order of the leaves
-  const std::uint32_t* triangles;  //!< number of each of them in the mesh
+  const float* corners;            //!< corners' coordinates, nine per triangle, in order of leaves
+  const std::uint32_t* triangles;  //!< index in the mesh of each triangle of `corners`
   Vector3<double> middle;          //!< center of a sphere that contains all
   double radius;                   //!< radius of that sphere
 };
@@ -68,8 +68,8 @@ ERGO_HD bool comes_near(const TreeNode& node, const double (&from)[3], const dou
 
 }  // namespace detail
 
-//! Calls visit(place) for the triangles that a segment may come within `margin` of, and possibly
-//! for some more.
+//! Calls visit(index) with the index in the tree of each triangle that a segment may come within
+//! `margin` of, and possibly of some more.
 template <class Visit>
 ERGO_HD void visit_triangles(const TriangleTree& tree, const Vector3<double>& from, const Vector3<double>& to,
                              double margin, Visit&& visit) {

@@ -28,7 +28,7 @@ struct OverlayBatch {
   float opacity;
   Tone tone;
   bool display_colours;       //!< the picture has a display's values already: no tone is applied
-  const std::int32_t* tiles;  //!< numbers of tiles, row by row from the top left
+  const std::int32_t* tiles;  //!< indices of tiles, which count row by row from the top left
   int tile_columns;           //!< tiles per row of the picture
   int count;                  //!< number of pixels of the listed tiles
 };

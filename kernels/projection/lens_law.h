@@ -19,9 +19,9 @@ template <class S>
 struct FisheyeLens {
   LensLaw law;
   S half_angle;      //!< angle at the rim [rad]
-  S rim;             //!< radius of the rim
+  S rim;             //!< image radius of the rim [half widths]
   S scale;           //!< sin h, sin(h/2) or tan(h/2), depending on the law
-  S coefficient[4];  //!< coefficients of t, t³, t⁵, t⁷
+  S coefficient[4];  //!< polynomial law: coefficients of t, t³, t⁵, t⁷
 };
 
 inline namespace ERGO_TARGET {

@@ -122,8 +122,8 @@ ERGO_HD bool pixel_from_direction(const Projection& projection, const Vector3<do
 }
 
 //! Returns the fraction of a pixel that the image covers: 1, except that it falls to 0 across the
-//! rim of a fisheye's circle and is 0 beside a cube's faces. Pixels with coverage 0 are black and
-//! are not traced.
+//! rim and the cuts of a fisheye, and is 0 beside a cube's faces. Pixels with coverage 0 are black
+//! and are not traced.
 template <class T>
 ERGO_HD T image_coverage(const ProjectionOf<ScalarOf<T>>& projection, const T& x_px, const T& y_px) {
   using S = ScalarOf<T>;

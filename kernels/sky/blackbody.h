@@ -58,8 +58,8 @@ ERGO_HD Vector3<double> blackbody_tristimulus(double temperature_k) {
   return sum;
 }
 
-//! Returns the effective temperature of a star [K] from its color (Ballesteros, EPL 97, 2012, eq.
-//! 14).
+//! Returns the effective temperature of a star [K] from its color index B - V (Ballesteros, EPL 97,
+//! 2012, eq. 14).
 ERGO_HD double star_temperature(double b_v) { return 4600.0 * (1.0 / (0.92 * b_v + 1.7) + 1.0 / (0.92 * b_v + 0.62)); }
 
 //! Illuminance of a star of magnitude 0 in V [lx].
@@ -100,9 +100,10 @@ ERGO_HD Vector3<float> displayable(const Vector3<float>& rgb, float luminance) {
   return {own * rgb.x + luminance * grey, own * rgb.y + luminance * grey, own * rgb.z + luminance * grey};
 }
 
-//! Returns the light of a star as it arrives, in linear sRGB times its luminance. A blackbody of
-//! temperature T and flux F in the V band, seen with the frequency ratio g and magnified μ times,
-//! has the tristimulus values μ F XYZ(gT) / Y(T). This includes Doppler shift, beaming and lensing.
+//! Returns the light of a star as it arrives, in linear sRGB whose luminance is in the unit of
+//! `flux`. A blackbody of temperature T and flux F in the V band, seen with the frequency ratio g
+//! and magnified μ times, has the tristimulus values μ F XYZ(gT) / Y(T). This includes Doppler
+//! shift, beaming and lensing.
 ERGO_HD Vector3<float> star_light(const BlackbodyTable& table, float log_temperature, float flux, float g,
                                   float magnification) {
   const float at_rest = read_blackbody(table, log_temperature).x;

@@ -102,7 +102,7 @@ ERGO_HD long texel_index(const CubeMap& map, int level, int face, int x, int y) 
 //! neighbors.
 template <class T>
 struct BilinearPosition {
-  IntegerOf<T> texel;  //!< number of the upper left texel in its level
+  IntegerOf<T> texel;  //!< index of the upper left texel in its level
   T right;             //!< weight of the right pair, in [0, 1]
   T lower;
 };

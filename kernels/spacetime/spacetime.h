@@ -49,9 +49,10 @@ ERGO_HD double inner_horizon_radius(Spacetime spacetime) {
   return spacetime.spin * spacetime.spin / horizon_radius(spacetime);
 }
 
-//! Returns the smallest radius that cameras may have inside the horizon [M]: 2 % of the gap above
-//! the inner horizon. At the inner horizon all light of the exterior's future arrives at once;
-//! without spin the singularity is there instead. At spin 1 this is the horizon radius.
+//! Returns the smallest radius that cameras may have inside the horizon [M]: the inner horizon's,
+//! plus 2 % of the gap between the horizons. At the inner horizon all light of the exterior's
+//! future arrives at once; without spin it is at the singularity. At spin 1 this is the horizon
+//! radius.
 ERGO_HD double min_interior_radius(Spacetime spacetime) {
   const double inner = inner_horizon_radius(spacetime);
   return inner + 0.02 * (horizon_radius(spacetime) - inner);

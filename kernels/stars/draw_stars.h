@@ -50,7 +50,7 @@ struct StarLightBatch {
   int point_count;
   //! Index in `members` of each tile's first point, as in StarTileBatch.
   const std::int32_t* first;
-  //! Numbers of points in the order in which their light is added; a repeated number counts once.
+  //! Indices in `points`, sorted within each tile; a repeated index counts once.
   const std::int32_t* members;
   int tile_columns;
   //! 1 / (√2 σ) of the Gaussian; 0: all light falls on the pixel that contains the point.

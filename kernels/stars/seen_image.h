@@ -12,7 +12,7 @@ namespace ergodome {
 
 //! An image of a star on a camera's sky.
 struct StarImage {
-  int star;  //!< number in the field
+  int star;  //!< index of the star in its field (SearchedField::stars)
   //! Unit vector in the observer's frame (e_r, e_θ, e_φ); for omnidirectional stereo, in the view's
   //! axes.
   Vector3<float> direction;
@@ -46,8 +46,8 @@ ERGO_HD float luminance_of(const Vector3<float>& light) {
 }
 
 //! Computes the image of star `number`. Returns false if it is too faint. `solid_angle`: the sky's
-//! solid angle over the observer's, signed by parity; `capped`: its size, limited by the star's
-//! disk.
+//! solid angle over the observer's, signed by parity; `capped`: its size, raised to the minimum
+//! that the size of the star's disk implies.
 ERGO_HD bool shining_image(const BlackbodyTable& colours, const StarAppearance& appearance, int number,
                            const FieldStar& star, const Vector3<float>& direction, float frequency_ratio,
                            float solid_angle, float capped, StarImage& image) {

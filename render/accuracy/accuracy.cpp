@@ -43,7 +43,7 @@ AccuracyReport head_of(const Show& show, const AccuracySettings& settings, const
   return report;
 }
 
-//! Returns notes about the parts of a show that are not measured.
+//! Returns notes about how a show was measured, and which parts of it were not.
 std::vector<std::string> notes_of(const Show& show, const AccuracySettings& settings) {
   std::vector<std::string> notes = {
       "everything was measured on the CPU, nothing on a GPU",
@@ -66,7 +66,8 @@ bool has_footprints(const Show& show) { return lens_channels(ViewMode::sky, shad
 
 bool has_near_things(const Show& show) { return show.disk || !show.shells.empty() || !show.objects.empty(); }
 
-//! Returns whether the measurement `name` (an axis) applies to a show.
+//! Returns whether the axis `name` applies to a show. If `quick`, shows that draw slowly have
+//! neither `near` nor `frame`.
 bool has_axis(const std::string& name, const Show& show, bool quick) {
   if (name == "lens") {
     return has_footprints(show);

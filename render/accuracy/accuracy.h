@@ -15,17 +15,19 @@ inline constexpr std::array accuracy_axis_names = {"rays", "lens",  "stations", 
 
 //! Returns the names of the requested axes that apply to a show.
 //!
-//! `lens` applies if the map's filter needs footprints; `stations` if the camera's r or θ changes,
-//! the spin is constant and the grid scheme can be baked; `stars` if the show has stars.
+//! `rays` and `map` always apply; `lens` if the map's filter needs footprints; `stations` if the
+//! camera's r or θ changes, the spin is constant and the grid scheme can be baked; `stereo` with
+//! two eyes; `stars` if the show has stars; `near` if it has a disk, shells or objects. With
+//! settings.quick, shows with objects have neither `near` nor `frame`.
 std::vector<std::string> accuracy_axes(const Show& show, const AccuracySettings& settings);
 
-//! Measures, on this machine and for a show, what each degree of accuracy costs, along each axis
-//! that applies.
+//! Measures, on this machine's CPU and for a show, what each degree of accuracy costs, along each
+//! axis that applies.
 //!
 //! Throws Error if the show cannot be drawn or `progress` stops the measurement.
 AccuracyReport measure_accuracy(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress);
 
-//! Returns the settings of `--quick`.
+//! Returns the settings of `ergodome accuracy --quick`.
 AccuracySettings quick_settings();
 
 }  // namespace ergodome

@@ -19,7 +19,8 @@ struct AccuracySettings {
   int moments = 3;    //!< number of instants of the show to measure; one if nothing moves
   int rounds = 5;     //!< timed runs of each method; methods take turns
   int lattice = 200;  //!< number of columns of the lattice; one pixel of each cell is compared
-  //! Measures fewer settings, moments and pixels, and omits methods that are relatively slow.
+  //! Measures fewer settings, draws slow frames less often, and omits slow axes. quick_settings()
+  //! also reduces the numbers of moments and pixels.
   bool quick = false;
   //! Names of the axes to measure; empty: all that apply to the show.
   std::vector<std::string> axes;
@@ -65,8 +66,8 @@ struct PixelLattice {
 //! be at its position at one of them.
 std::vector<AccuracyMoment> accuracy_moments(const Show& show, const AccuracySettings& settings);
 
-//! Returns a lattice with `columns` columns and as many rows as the picture's shape requires; at
-//! most one cell per pixel.
+//! Returns a lattice of `columns` columns, clamped to 1 ... the picture's width in pixels, with as
+//! many rows as make its cells about square, and one random pixel of each cell.
 PixelLattice pixel_lattice(const Projection& projection, int columns, std::uint64_t seed);
 
 }  // namespace ergodome

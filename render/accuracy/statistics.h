@@ -29,7 +29,7 @@ struct ErrorSummary {
   double largest = 0.0;
 };
 
-//! Several runs of the same work.
+//! Median and extremes of several runs of the same work.
 struct Spread {
   double median = 0.0;
   double minimum = 0.0;
@@ -48,8 +48,8 @@ ErrorSummary summary_of(std::vector<double> errors);
 //! mean of the middle two.
 Spread spread_of(std::vector<double> runs);
 
-//! Returns the spread of the ratios between the times of two methods, formed round by round; uses
-//! as many rounds as both have.
+//! Returns the spread of the ratios `runs` / `other` between the times of two methods, formed round
+//! by round; uses as many rounds as both have.
 Spread ratio_of(const std::vector<double>& runs, const std::vector<double>& other);
 
 //! Returns for each entry whether it is on the Pareto front: no other entry is at least as good in

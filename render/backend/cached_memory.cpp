@@ -32,7 +32,7 @@ std::size_t whole_pages(std::size_t bytes) { return (bytes / page_bytes + 1) * p
 //! Blocks that were released and are kept for later requests, the latest last.
 class BlockCache {
  public:
-  //! Returns a block of exactly that size, or nullptr.
+  //! Removes a block of exactly that size from the cache and returns it; nullptr if there is none.
   void* take(std::size_t bytes) {
     const std::lock_guard lock(mutex_);
     const auto found = std::ranges::find(blocks_, bytes, &CachedBlock::bytes);

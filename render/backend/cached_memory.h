@@ -11,12 +11,12 @@ namespace ergodome {
 //! amount, and mapping new pages may take longer than filling them. Call once, at startup.
 void keep_freed_memory();
 
-//! Allocates uninitialized memory for large arrays, with huge pages if available. Throws
-//! std::bad_alloc.
+//! Returns uninitialized memory for a large array: a kept block of the same size
+//! (return_large_block()), or new memory, with huge pages if available. Throws std::bad_alloc.
 void* take_large_block(std::size_t bytes);
 
-//! Releases memory from take_large_block(), or keeps it for the next request of the same size if
-//! few blocks are kept.
+//! Keeps memory from take_large_block() for a later request of the same size in 2 MiB pages. If
+//! more than four blocks or 1.5 GiB are then kept, frees those that were returned first.
 void return_large_block(void* memory, std::size_t bytes) noexcept;
 
 //! Returns the number of released blocks that are kept for later requests.
@@ -32,8 +32,9 @@ class UnfilledAllocator : public std::allocator<T> {
   // NOLINTNEXTLINE(google-explicit-constructor): as the standard asks
   UnfilledAllocator(const UnfilledAllocator<U>& /*other*/) noexcept {}
 
-  //! Reuses the memory of the last picture, or takes huge pages if available: mapping small pages
-  //! took a twentieth of the time of two eyes' pictures.
+  //! Takes 4 MiB or more from take_large_block(), which reuses the memory of the last picture or
+  //! uses huge pages if available: mapping small pages took a twentieth of the time of two eyes'
+  //! pictures.
   [[nodiscard]] T* allocate(std::size_t count) {
     const std::size_t bytes = count * sizeof(T);
     if (bytes < min_large) {
@@ -62,7 +63,8 @@ class UnfilledAllocator : public std::allocator<T> {
   static constexpr std::size_t min_large = std::size_t{1} << 22U;
 };
 
-// Kernels write one pixel at a time.
+// Smaller arrays have only the default alignment, and kernels write the four floats of a pixel at
+// once.
 static_assert(__STDCPP_DEFAULT_NEW_ALIGNMENT__ >= 4 * sizeof(float));
 
 //! Values of a picture's pixels; resize() does not initialize them.

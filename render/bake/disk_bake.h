@@ -26,11 +26,14 @@ class DiskBake {
   //! called.
   [[nodiscard]] bool wanted() const { return disk_ != nullptr; }
 
-  //! Builds the disk layers at a show time, unless the journal already contains them.
+  //! Builds the disk layers at a show time and adds them to the journal, unless it already contains
+  //! them.
   void add_if_missing(double time_s);
 
-  //! Returns the error of blending the disk layers of two stations [px]: the largest at a quarter,
-  //! half and three quarters of the gap, measured as for lens stations (gap_measure()).
+  //! Returns the error of blending the disk layers of two stations [px], which the journal must
+  //! contain: the largest at a quarter, half and three quarters of the gap, measured as for lens
+  //! stations (gap_measure()). Returns 0 for stations at the same r and θ, and unknown_disk_error
+  //! if the layers cannot be joined.
   [[nodiscard]] double gap_error(double begin_s, double end_s) const;
 
  private:

@@ -70,7 +70,7 @@ class Baker {
   using Station = std::shared_ptr<const LensStation>;
 
   //! How often a stretch has been divided, because of the lens and because of the disk, and how
-  //! many successive divisions did not reduce the lens's error.
+  //! many successive divisions left the lens's error above `stalled_share` times the one before.
   struct Depth {
     int lens = 0;
     int disk = 0;
@@ -99,8 +99,8 @@ class Baker {
     return grid;
   }
 
-  //! Returns the range that all charts of the path have, because the derivatives of a station are
-  //! computed for a fixed range.
+  //! Returns the range for the charts of all stations: the maximum of chart_range() at 65 times. It
+  //! is the same for all, because a station's derivatives are computed for a fixed range.
   [[nodiscard]] double common_range() const {
     constexpr int samples = 64;
     double range = 0.0;
@@ -183,9 +183,9 @@ class Baker {
     note_gap(gap);
   }
 
-  //! Returns the number of parts into which a stretch should be divided. Blending errors grow with
-  //! the square of the distance between stations; if stations have derivatives, with its fourth
-  //! power.
+  //! Returns the number of parts into which a stretch should be divided, from 2 to `max_parts`.
+  //! Blending errors grow with the square of the distance between stations; if stations have
+  //! derivatives, with its fourth power.
   [[nodiscard]] int wished_parts(double error_px) const {
     const double wished = std::ceil(std::pow(error_px / settings_.budget_px, settings_.derivatives ? 0.25 : 0.5));
     return static_cast<int>(std::clamp(wished, 2.0, 1.0 * max_parts));
@@ -210,8 +210,9 @@ class Baker {
     return first.motion == second.motion && dot(change, change) == 0.0;
   }
 
-  //! Returns the largest error of blending two stations, over the times between them [px]; 0 if the
-  //! camera stands still and its velocity does not change.
+  //! Returns the largest error [px] of blending two stations, at a quarter, half and three quarters
+  //! of the time between them, and of the shadow's edge at both. If neither the camera's position
+  //! nor its velocity changes, only that of the edge in the first station.
   [[nodiscard]] double gap_error(const LensStation& first, const LensStation& last, double begin_s,
                                  double end_s) const {
     const double length_s = end_s - begin_s;

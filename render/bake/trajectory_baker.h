@@ -58,7 +58,8 @@ struct BakeResult {
 BakeResult bake_trajectory(const Show& show, const BakeSettings& settings, TrajectoryJournal& journal,
                            const std::function<bool(double)>& proceed);
 
-//! Returns the provenance of a bake.
+//! Returns what a bake is made from: the program's version, the show without its timeline, the
+//! spacetime and the settings. Throws Error if the spin is animated.
 TrajectoryProvenance provenance_of(const Show& show, const BakeSettings& settings);
 
 }  // namespace ergodome

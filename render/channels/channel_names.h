@@ -30,7 +30,7 @@ enum class ChannelGroup : std::int32_t {
 struct ChannelMeaning {
   const char* name;     //!< name of the channel in EXR and FITS files
   const char* unit;     //!< unit in FITS spelling (BUNIT); empty for pure numbers and light
-  const char* meaning;  //!< short enough for the comment of a FITS keyword
+  const char* meaning;  //!< description, short enough for the comment of a FITS keyword
 };
 
 //! Returns the names of ChannelGroup, in its order.

@@ -13,8 +13,8 @@ DiskTracer::DiskTracer(const CameraStation& camera, const DiskEdges& edges)
 
 std::optional<DiskCrossings> DiskTracer::trace(const Vector3<double>& n) const {
   const NearRay<double> ray = start_near_ray(camera_, n);
-  // Light returns to the disk neither from beyond twice its outer edge nor from beyond the photon
-  // orbits.
+  // Traced back from the camera, a ray ends where it can no longer return to the disk: on its way
+  // outward, beyond twice the disk's outer edge and beyond all photon orbits.
   const CrossingLimits<double> limits = {std::min(0.5 / edges_.outer, 0.22), channel_tolerance, channel_step_limit};
   EquatorialCrossing<double> crossings[crossing_orders];
   if (!trace_crossings<20, true>(camera_.spin, ray, limits, true, crossings)) {

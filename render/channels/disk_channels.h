@@ -21,7 +21,7 @@ struct DiskCrossing {
 //! A ray's first crossings of the equatorial plane; crossings outside the disk's edges are empty.
 using DiskCrossings = std::array<std::optional<DiskCrossing>, crossing_orders>;
 
-//! Edges of a disk [M].
+//! Radii of a disk's edges [M].
 struct DiskEdges {
   double inner;
   double outer;
@@ -32,8 +32,8 @@ class DiskTracer {
  public:
   DiskTracer(const CameraStation& camera, const DiskEdges& edges);
 
-  //! Returns what the camera sees in direction `n` (e_r, e_θ, e_φ); nothing if the ray does not
-  //! converge.
+  //! Returns where the light that the camera sees in direction `n` (e_r, e_θ, e_φ) crosses the
+  //! disk, by order; nothing if the ray does not converge.
   [[nodiscard]] std::optional<DiskCrossings> trace(const Vector3<double>& n) const;
 
  private:

@@ -26,8 +26,8 @@ struct PictureWcs {
   std::vector<std::pair<int, double>> pv2{};  //!< (m, value) of each PV2_m keyword
 };
 
-//! Returns the world coordinates of a picture. Returns nothing for cubes, and for domes seen from
-//! beside their middle, for which FITS has no projection.
+//! Returns the world coordinates of a picture. Returns nothing for cubes, and for domes whose
+//! viewer is not at the center, for which FITS has no projection.
 std::optional<PictureWcs> picture_wcs(const Projection& projection);
 
 }  // namespace ergodome

@@ -36,15 +36,15 @@ struct ChannelScene {
 //! The channels of some groups, in their order.
 struct PixelChannels {
   std::vector<PixelChannel> channels;
-  long unresolved = 0;  //!< pixels with a ray that did not converge; their values are NaN
+  long unresolved = 0;  //!< pixels with a ray that did not converge; values from that ray are NaN
 };
 
 //! Computes the channel values of every pixel from the ray through the pixel's center, in double
 //! precision on the CPU. Pixels whose center is outside the image are NaN. `groups` must not
 //! contain ChannelGroup::color.
 //!
-//! `advance` is called from time to time; if it returns false, tracing stops and the channels are
-//! incomplete.
+//! `advance` is called before each block of 32768 pixels; if it returns false, tracing stops, and
+//! the values of the remaining pixels are NaN.
 PixelChannels trace_channels(const ChannelScene& scene, const std::vector<ChannelGroup>& groups,
                              const std::function<bool()>& advance);
 

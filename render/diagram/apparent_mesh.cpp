@@ -16,7 +16,7 @@ namespace {
 using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr std::uint32_t whole_edge = 0xFFFFFFFFU;
-//! Maximum number of triangles after edges are divided.
+//! Meshes with at least this many triangles are not divided further.
 constexpr std::size_t max_divided_triangles = 1'000'000;
 
 double length_of(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
@@ -32,7 +32,8 @@ class EdgeDivider {
   EdgeDivider(const Vector3<double>& observer, int order, double tolerance, ApparentMesh& mesh)
       : observer_(observer), order_(order), tolerance_(tolerance), mesh_(mesh) {}
 
-  //! Divides every triangle at most once. Returns false if no triangle needs it.
+  //! Divides each triangle that has a curved edge once, into two to four. Returns whether there was
+  //! one.
   bool divide() {
     judge_new_edges();
     std::vector<Triangle> divided;
@@ -73,7 +74,8 @@ class EdgeDivider {
     }
   }
 
-  //! Returns the vertex in the middle of an edge if the edge looks curved; otherwise nothing.
+  //! Returns the vertex in the middle of an edge if the edge looks curved, or if light arrives from
+  //! both ends but not from the middle; otherwise nothing.
   [[nodiscard]] std::optional<ApparentVertex> bent_middle(const ApparentVertex& a, const ApparentVertex& b) const {
     const ApparentVertex middle =
         apparent_vertex(observer_, 0.5 * (a.position + b.position), order_,

@@ -14,10 +14,10 @@ namespace ergodome {
 //! A corner of a mesh with its true position and the position where an observer sees it.
 struct ApparentVertex {
   Vector3<double> position;  //!< true position, pseudo-Cartesian [M]
-  //! Apparent position: from the observer in the direction of the incoming light, at the distance
-  //! that the light has traveled in time [M].
+  //! Apparent position: from the observer in the direction of the incoming light, at a distance
+  //! equal to the light travel time [M]. The true position if not `connected`.
   Vector3<double> seen;
-  Vector3<double> direction;  //!< unit vector from the observer to the apparent position
+  Vector3<double> direction;  //!< unit vector from the observer to `seen`; 0 if not `connected`
   std::array<double, 2> texture;
   bool connected;  //!< whether light from there reaches the observer
 };
@@ -48,8 +48,9 @@ ApparentVertex apparent_vertex(const Vector3<double>& observer, const Vector3<do
 Vector3<double> placed_point(const ObjectPlacement& placement, double size, const float (&position)[3]);
 
 //! Computes the apparent mesh of one image order. Divides edges until they look straight, in the
-//! same way for both triangles at an edge. Omits triangles that the hole tears apart, and those
-//! with a corner from which no light arrives.
+//! same way for both triangles at an edge, but at most settings.halvings times and until there are
+//! a million triangles. Omits triangles that the hole tears apart, and those with a corner from
+//! which no light arrives.
 ApparentMesh apparent_mesh(const Vector3<double>& observer, const TriangleMesh& mesh, const ObjectPlacement& placement,
                            double size, int order, const ApparentSettings& settings);
 

@@ -37,8 +37,8 @@ constexpr double view_share = 0.14;
 //! Maximum number of mesh corners among which the starting points of rays are selected.
 constexpr std::size_t max_candidates = 4096;
 constexpr int coarse_width_px = 192;
-//! Limit for all objects together. Each image adds as many triangles again, or more if they are
-//! divided.
+//! Maximum number of triangles of all objects together. Each image adds as many triangles again, or
+//! more if they are divided.
 constexpr long max_diagram_triangles = 2'000'000;
 
 double far_from_hole(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
@@ -49,7 +49,7 @@ std::string turns_of(int order) {
                       : fmt::format("{:.2g} to {:.2g} turns", 0.5 * (order - 1), 0.5 * order);
 }
 
-//! Length of the dashes and gaps of a dashed line [M]; `style` has the line's color and width.
+//! Color and width of a dashed line.
 struct DashStyle {
   Ink ink;
   double width_px;
@@ -64,8 +64,8 @@ void add_dashes(const Vector3<double>& from, const Vector3<double>& to, double d
   }
 }
 
-//! Returns the placement of an object at the time when it emitted the light that reaches the camera
-//! after `delay` [M].
+//! Returns an object's placement with the position on its orbit from which light reaches the camera
+//! after `delay` [M]; the orientation is not changed.
 ObjectPlacement placement_before(ObjectPlacement placement, double delay) {
   const double angle = placement.rate * delay;
   placement.position = std::cos(angle) * placement.position - std::sin(angle) * placement.ahead;
@@ -81,7 +81,8 @@ struct Diagram::Moment {
   EyeCamera eye;
   Vector3<double> observer;
   std::vector<ObjectPlacement> placements;
-  double extent;  //!< distance of the farthest object from the hole [M]
+  //! distance from the hole to the observer or to the farthest point of an object, if larger [M]
+  double extent;
 };
 
 Diagram::Diagram(const Show& show, const DiagramSettings& settings) : show_(show), settings_(settings) {

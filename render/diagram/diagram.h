@@ -30,8 +30,9 @@ struct DiagramSettings {
 //! of the observer's view are traced back.
 class Diagram {
  public:
-  //! Loads the meshes. Throws Error if the show has no objects, one cannot be read, or image orders
-  //! are requested although traced rays cannot select them.
+  //! Loads the meshes. Throws Error if the show has no objects, if a mesh cannot be read, if all
+  //! together have more than 2,000,000 triangles, or if image orders are requested although traced
+  //! rays cannot select them.
   Diagram(const Show& show, const DiagramSettings& settings);
 
   //! Returns the scene at a show time. Throws Error if the camera cannot be at its position.
@@ -39,20 +40,22 @@ class Diagram {
 
  private:
   struct Moment;
-  //! Light travel times of the shown rays [M], by image order and by object.
+  //! Light travel times of the shown rays [M], by image order and by the object's index in the
+  //! show.
   using DelaysByOrder = std::map<int, std::map<int, std::vector<double>>>;
 
   void add_objects(const Moment& moment, DiagramScene& scene) const;
   void add_connections(const Moment& moment, DiagramScene& scene) const;
-  //! Returns mesh corners where rays of an image order start: first corners on sides that emit
-  //! light towards the observer, then others, because thin meshes without an inside show both
-  //! sides.
+  //! Returns up to `count` mesh corners, far from each other, where rays of an image order start:
+  //! first corners on sides that emit light towards the observer, then others, because thin meshes
+  //! without an inside show both sides.
   [[nodiscard]] std::vector<Vector3<double>> ray_starts(const Moment& moment, std::size_t object, int order,
                                                         std::size_t count) const;
   void add_connecting_rays(const Moment& moment, std::size_t object, int order, int count, DiagramScene& scene) const;
   void add_traced_rays(const Moment& moment, DiagramScene& scene) const;
-  //! Adds legend lines for the images that traced rays show and, for retarded objects, their former
-  //! positions. Returns whether any were added.
+  //! Adds a legend line for each image order of the traced rays. Also adds retarded objects that
+  //! move, translucent, where they were when the light left them, and returns whether there are
+  //! any.
   bool add_traced_images(const Moment& moment, DelaysByOrder& delays, DiagramScene& scene) const;
 
   Show show_;

@@ -106,14 +106,14 @@ void add_pieces(const std::vector<Vector3<double>>& positions, const Ink& ink, d
 
 }  // namespace
 
-//! Numbers of corners and lines that were uploaded.
+//! Numbers of triangle corners and straight line pieces that were uploaded.
 struct DiagramDrawing::Uploaded {
   int solid_corners;
   int veil_corners;
   int lines;
 };
 
-//! A rectangle of a picture [px].
+//! A rectangle of a picture, and the size of the whole picture [px].
 struct DiagramDrawing::Tile {
   int left, top, width, height;
   int whole_width, whole_height;

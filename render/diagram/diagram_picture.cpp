@@ -9,7 +9,8 @@ namespace ergodome {
 
 namespace {
 
-//! Heights of letters, lines and margins, as fractions of unit_height_px().
+//! Heights of the legend's and the labels' letters and of legend lines, the margin, and the width
+//! of legend signs, as fractions of unit_height_px().
 constexpr double letter_share = 0.019;
 constexpr double label_share = 0.016;
 constexpr double line_share = 0.031;
@@ -47,7 +48,7 @@ struct Page {
     }
   }
 
-  //! Draws a text whose vertical center is at y.
+  //! Draws a text whose left edge is at `left` and whose vertical center is at y.
   void write(const TextImage& letters, int left, int y, const Ink& color) const {
     for (int row = 0; row < letters.height; ++row) {
       for (int column = 0; column < letters.width; ++column) {

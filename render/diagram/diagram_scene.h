@@ -14,10 +14,10 @@ namespace ergodome {
 //! A color in linear light.
 using Ink = std::array<float, 3>;
 
-//! Converts a display color 0xRRGGBB to linear light.
+//! Converts an sRGB color 0xRRGGBB to linear light.
 Ink display_ink(unsigned rgb);
 
-//! A corner of a triangle; three successive corners form one.
+//! A corner of a triangle; each three successive corners form a triangle.
 struct DiagramCorner {
   Vector3<double> position;
   Vector3<float> normal;
@@ -51,7 +51,8 @@ struct LegendLine {
 //! Everything to draw at one instant.
 struct DiagramScene {
   std::vector<DiagramCorner> solids;  //!< opaque triangles
-  std::vector<DiagramCorner> veils;   //!< apparent meshes: translucent triangles
+  //! translucent triangles: apparent meshes and former positions
+  std::vector<DiagramCorner> veils;
   std::vector<DiagramLine> lines;
   std::vector<DiagramLabel> labels;
   std::vector<LegendLine> legend;
@@ -68,10 +69,10 @@ void add_ball(std::vector<DiagramCorner>& corners, const Vector3<double>& middle
 std::vector<Vector3<double>> level_circle(double radius, double height);
 
 namespace diagram_inks {
-//! Returns the color for rays of an image order. The colors are distinguishable for most people
-//! with color vision deficiency, too (Okabe & Ito 2008).
+//! Returns the color for rays of an image order; all orders from 5 on have the same. The colors are
+//! distinguishable for most people with color vision deficiency, too (Okabe & Ito 2008).
 Ink of_image(int order);
-//! Returns the mean of a color and the color of the paper.
+//! Returns a mixture of 45 % of a color and 55 % of the paper's color.
 Ink pale(const Ink& ink);
 Ink paper();
 Ink hole();

@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-//! Maximum azimuth between adjacent points of a curve [rad].
+//! Maximum angle around the hole between adjacent points of a curve [rad].
 constexpr double finest_turn = 0.03;
 constexpr int min_pieces = 32;
 

@@ -16,7 +16,8 @@ constexpr double half_view = 13.0 * one_degree;
 constexpr double picture_margin = 0.04;
 
 //! Maxima over all positions of linear combinations such as p.x + tangent · p.z. Each is the
-//! constraint that one side of the frustum puts on the camera's position.
+//! constraint that one side of the frustum puts on the camera's position. `nearest` and `farthest`
+//! are the maximum and minimum of p.z.
 struct FrustumBounds {
   double right = -std::numeric_limits<double>::max();
   double left = right;
@@ -53,9 +54,8 @@ OutsideCamera outside_camera(const OutsideDirection& direction, const std::vecto
     bounds.nearest = std::max(bounds.nearest, at.z);
     bounds.farthest = std::min(bounds.farthest, at.z);
   }
-  // A position is in the picture if
-  // x - x_c
-  // <= tangent (z_c - z): left and right sides give bounds, and so do top and bottom.
+  // A position is in the picture if |x - x_c| <= tangent (z_c - z), where c is the camera: left and
+  // right sides give bounds of z_c, and so do top and bottom.
   double z =
       std::max(0.5 * (bounds.right + bounds.left) / tangent, (bounds.up + bounds.down) / (tangent_up + tangent_down));
   double x = 0.5 * (bounds.right - bounds.left);

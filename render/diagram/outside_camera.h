@@ -25,7 +25,7 @@ struct OutsideCamera {
   Vector3<double> right, up, back;  //!< unit vectors
   double half_width;                //!< half width of the screen at distance 1
   double half_height;
-  double nearest, farthest;  //!< depth range of the subject along the view [M]
+  double nearest, farthest;  //!< clipping distances in front of the camera, with a margin [M]
 
   //! Returns the position of `p` relative to the camera, in components along right, up and back
   //! [M].

@@ -18,14 +18,14 @@ struct TracedCurve {
   //! Points of the path from the origin of the light to the eye, pseudo-Cartesian [M].
   std::vector<Vector3<double>> positions;
   CurveEnd end = CurveEnd::sky;
-  int object = -1;     //!< number of the object, for CurveEnd::object
-  int order = 1;       //!< 1 plus the number of half turns around the hole
+  int object = -1;     //!< index of the object in the show, for CurveEnd::object; otherwise -1
+  int order = 1;       //!< 1 plus the number of whole half turns around the hole
   double delay = 0.0;  //!< light travel time from the object to the eye [M]
 };
 
 //! Selects which rays of a view are traced.
 struct TracedChoice {
-  //! Approximate number of rays; two thirds of them end on objects, if there are any.
+  //! Maximum number of rays; at most two thirds of them end on objects.
   int count = 24;
   int max_order = 5;  //!< rays to objects of higher order are left out
   double reach;       //!< paths to the sky end at this distance from the hole [M]

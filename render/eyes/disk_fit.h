@@ -40,8 +40,8 @@ class DiskFit {
 //! A fixed number of values at a point on the disk.
 using DiskNumbers = std::function<std::vector<double>(const DiskPoint& point)>;
 
-//! Fits one polynomial of a degree to each of the numbers, and returns the coefficients of all
-//! polynomials one after the other.
+//! Fits one polynomial of a degree to each of the values that `numbers_at` returns, and returns the
+//! coefficients of all polynomials one after the other.
 std::vector<double> fit_numbers(const DiskNumbers& numbers_at, int degree);
 
 }  // namespace ergodome

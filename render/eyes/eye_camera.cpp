@@ -13,8 +13,9 @@ namespace ergodome {
 
 namespace {
 
-//! Sets an eye's motion. All eyes of a head move with the velocity of the head's observer at the
-//! head's position.
+//! Sets an eye's motion. All eyes of a head have the velocity of the head's observer at the head's
+//! position, except those of rain and ZAMO observers, who are defined at each eye's own position.
+//! Throws Error if the observer would not be slower than light.
 void set_motion(EyeCamera& eye, const Show& show, const CameraPose& pose) {
   if (pose.velocity && pose.velocity_in_rain) {
     eye.motion = ObserverMotion::rain_boost;

@@ -202,8 +202,9 @@ double omni_darkness(const OmniCameraOf<double>& camera, const ShadowChart& char
   return darkness(camera.spin, camera.horizon_r, start_omni_ray(camera, view));
 }
 
-//! Returns the angle from the chart's center, along a great circle, at which the shadow ends and
-//! the sky begins. Uses false position with bisection.
+//! Returns the angle from the chart's center, along the great circle at position angle `gamma`, at
+//! which the shadow ends and the sky begins. Uses false position with bisection. Throws Error like
+//! solve_omni_edge().
 double omni_edge_angle(const OmniCameraOf<double>& camera, const ShadowChart& chart, double gamma) {
   double dark = 0.0;
   double bright = pi;

@@ -65,8 +65,9 @@ class OmniCamera {
 //! Returns a chart centered on the shadow that an ODS eye sees, in the view's axes.
 ShadowChart omni_shadow_chart(const OmniCameraOf<double>& camera, const EyeAtOffset& eye_at);
 
-//! Computes the shadow's edge in the chart, at `count` position angles [rad]. Throws Error if the
-//! chart's center is not inside the shadow.
+//! Returns the angle of the shadow's edge from the chart's center [rad], at `count` evenly spaced
+//! position angles γ from 0. Throws Error if the center is not in the shadow, or if the direction
+//! opposite to it is.
 std::vector<float> solve_omni_edge(const OmniCameraOf<double>& camera, const ShadowChart& chart, int count);
 
 }  // namespace ergodome

@@ -17,7 +17,7 @@ constexpr double largest_height_px = 16384.0;
 //! Maximum distance of an eye from the center of a dome, in radii of the dome.
 constexpr double nearest_convergence = 0.95;
 
-//! Returns the height of a picture with square pixels.
+//! Returns the height of a picture with square pixels [px], clamped to 1 ... 16384.
 int height_for(int width_px, double width, double height) {
   return static_cast<int>(std::lround(std::clamp(width_px * height / width, 1.0, largest_height_px)));
 }

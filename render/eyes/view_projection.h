@@ -12,8 +12,9 @@ inline bool has_face_files(const ViewSettings& view) {
   return view.projection == ViewProjection::cube && view.cube_files == CubeFiles::faces;
 }
 
-//! Returns the projection of a show's view at a width [px]. `field_of_view_deg` replaces the show's
-//! field of view unless it is 0, if the projection has one and within the limits of its lens.
+//! Returns the projection of a show's view at a width [px]. `field_of_view_deg`, unless it is 0,
+//! replaces the field of view of domes and of pinholes without `frustum`. That of a dome is limited
+//! to what its lens can show.
 //!
 //! Pixels are square; the height of screens, cylinders and cubes follows from the width. A cube
 //! with a file per face is rendered as a strip, from which cube_face_pictures cuts the faces; each
@@ -24,7 +25,7 @@ Projection make_projection(const ViewSettings& view, int width_px, double field_
 //! at distance `convergence` [M] appear at the same position for both eyes. Flat screens get an
 //! off-axis frustum with the screen plane at that distance; domes are viewed from beside the center
 //! of a sphere with that radius. Other projections do not change, and none does if `convergence` is
-//! 0 (infinity). Throws Error if the eye would be at the dome's surface.
+//! 0 (infinity). Throws Error if the eye would be 0.95 radii or more from the dome's center.
 Projection converged_projection(const Projection& projection, double offset, double convergence);
 
 }  // namespace ergodome

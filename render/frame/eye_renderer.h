@@ -15,7 +15,7 @@
 
 namespace ergodome {
 
-//! Renderings of two eyes with the same size and the same channels.
+//! Requests for the pictures of two eyes, which have the same size and the same lens channels.
 struct EyePair {
   EyePicture first;
   EyePicture second;
@@ -49,9 +49,10 @@ class EyeRenderer {
   Picture render(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                  const PictureSettings& settings);
 
-  //! Renders both eyes' pictures. On the CPU, alternates between the eyes block by block, so that
-  //! sky texels that one eye has read are still in the cache for the other. If both have grids and
-  //! the same projection, each pixel's view direction is computed once.
+  //! Renders both eyes' pictures. On the CPU, alternates between the eyes every few rows, so that
+  //! sky texels that one eye has read are still in the cache for the other, unless a pass has
+  //! PassKind::serves_one_picture. If both have grids and the same projection, each pixel's view
+  //! direction is computed once.
   std::vector<Picture> render_pair(const EyePair& wanted, const SkyCube& sky);
 
   //! Draws passes over a whole picture in host memory, with the same result as if they had been
@@ -71,7 +72,8 @@ class EyeRenderer {
   class Making;
   using Drawings = std::vector<std::unique_ptr<PassDrawing>>;
 
-  //! Lets near-field passes that draw in host memory draw over the picture in the backend's memory.
+  //! Draws the passes of PassStage::near that draw in host memory, if there are any: copies the
+  //! picture to the host and back.
   void finish_in_place(const EyePicture& wanted, const Drawings& drawings);
 
   //! Returns a buffer for `pixels` pixels in the backend's memory.

@@ -15,7 +15,8 @@ class ShowPasses {
   //! Throws Error if a file that a pass draws cannot be read.
   explicit ShowPasses(const PassInput& input);
 
-  //! Returns the passes of eyes' pictures with the show's present numbers.
+  //! Returns the passes that draw into eyes' pictures with the show's current numbers: those of all
+  //! stages but PassStage::frame.
   [[nodiscard]] std::vector<Pass*> of_pictures(const Show& show, ViewMode mode) const;
 
   //! Draws the passes of PassStage::frame over the finished pictures of a frame.

@@ -30,8 +30,8 @@ namespace ergodome {
 
 namespace {
 
-//! Star images are followed in steps, in each of which the camera moves around the hole by at most
-//! this angle [rad].
+//! Star images are followed in steps. In each, the changes of the camera's φ, θ [rad] and ln r, and
+//! a tenth of its rotation [rad], add up to at most this, if max_trail_steps suffice.
 constexpr double longest_trail_step = 0.02;
 constexpr int max_trail_steps = 32;
 

@@ -51,8 +51,8 @@ struct BackendEyes {
 //! Renders the frames of a show.
 class ShowRenderer {
  public:
-  //! Loads the show's sky and applies the values of animated numbers at time 0. Throws Error if the
-  //! sky cannot be read or the show needs an unsupported feature.
+  //! Loads the show's sky and the files that its passes draw, and applies the values of animated
+  //! numbers at time 0. Throws Error if one cannot be read. missing_features(show) must be empty.
   //!
   //! `stream`: the show's own trajectory (see require_path_of), if there is one.
   ShowRenderer(const Show& show, Backend backend, LensChoice lens = LensChoice::automatic,
@@ -74,8 +74,8 @@ class ShowRenderer {
   //! `stream`: the new show's own trajectory, if there is one.
   void set_show(const Show& show, std::shared_ptr<StationStream> stream = nullptr);
 
-  //! Renders the eyes of a frame at a show time: the left one first, if there are two. Automatic
-  //! exposure follows the show's time.
+  //! Renders the eyes of a frame at a show time: if there are two, the left one first, unless the
+  //! show swaps eyes. Automatic exposure adapts over the show's time.
   std::vector<Picture> render_frame(double time_s, const ViewChoice& choice);
 
   //! Returns the projection of the eyes of a frame, with the show's numbers last applied.
@@ -95,11 +95,13 @@ class ShowRenderer {
   std::vector<Picture> render_window_parts(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                            const ShowMoment& moment = {});
 
-  //! Renders the picture of an eye that sits `eye_offset` M to the right of the head.
+  //! Renders the picture of an eye that sits `eye_offset` M to the right of the head, without the
+  //! passes of PassStage::frame.
   Picture render_eye(const CameraPose& pose, double eye_offset, const Projection& projection, ViewMode mode,
                      const ShowMoment& moment = {});
 
-  //! Like render_eye, but leaves the picture in the backend's memory until the next one.
+  //! Like render_eye, but also draws the passes of PassStage::frame, and leaves the picture in the
+  //! backend's memory until the next one.
   BackendPicture render_eye_in_place(const CameraPose& pose, double eye_offset, const Projection& projection,
                                      ViewMode mode, const ShowMoment& moment);
 
@@ -111,9 +113,9 @@ class ShowRenderer {
   BackendEyes render_eyes_in_place(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                    const ShowMoment& moment);
 
-  //! Returns whether pictures of a view mode may stay in GPU memory. They cannot with automatic
-  //! exposure, bloom, eyes without cameras of their own, tinted eyes, or layouts that do not show
-  //! eyes whole.
+  //! Returns whether pictures of a view mode may stay in GPU memory; false on the CPU. They cannot
+  //! with automatic exposure, bloom or a vignette. Two eyes cannot in heat maps, without cameras of
+  //! their own, if they are tinted, or in layouts that do not show eyes whole.
   [[nodiscard]] bool may_stay_in_place(ViewMode mode) const;
 
   //! Replaces the stereo settings while the show plays; apply() overwrites those that are animated.
@@ -133,9 +135,9 @@ class ShowRenderer {
   //! Sets exposure stops that are added to the show's.
   void set_exposure(double stops) { exposure_stops_ = stops; }
 
-  //! followed_stops() returns the stops that automatic exposure applied to the last picture.
-  //! follow_from() continues the adaptation from such stops, for pictures at the time `clock_s`;
-  //! they may come from another renderer.
+  //! followed_stops() returns the stops that automatic exposure applied to the last picture, or
+  //! nothing without automatic exposure. follow_from() continues the adaptation from such stops,
+  //! for pictures at the time `clock_s`; they may come from another renderer.
   [[nodiscard]] std::optional<double> followed_stops() const;
   void follow_from(double stops, double clock_s);
 
@@ -151,8 +153,8 @@ class ShowRenderer {
   //! that both eyes see them at the same position. `projection`: one eye's, of any resolution.
   [[nodiscard]] LaidCaptions caption_layer(const Projection& projection, ViewMode mode, double time_s);
 
-  //! Sets the observer; `velocity` is in the ZAMO frame, for ObserverMotion::velocity. Lenses
-  //! remain valid, because they can be used for every velocity.
+  //! Sets the observer; `velocity` is in the ZAMO frame, for ObserverMotion::velocity. Baked
+  //! stations remain valid, because they can be used for every velocity.
   void set_observer(ObserverMotion motion, const Vector3<double>& velocity);
 
   //! Returns the reduced baseline of the last picture, if the show's baseline did not fit at the
@@ -176,15 +178,17 @@ class ShowRenderer {
   std::vector<Picture> render_eyes(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                    const ShowMoment& moment);
 
-  //! Draws the passes of frames, then tints and swaps eyes as the show requires.
+  //! Draws the passes of PassStage::frame and stores the resulting tone in the pictures, then tints
+  //! and swaps eyes as the show requires. `clock_s`: time for automatic exposure.
   void finish_eyes(std::vector<Picture>& eyes, const CameraPose& pose, const Projection& projection, ViewMode mode,
                    const ShowMoment& moment, double clock_s);
 
   //! Stores the baseline of the current picture [M], and whether it is a reduced one.
   void note_baseline(const CameraPose& pose, double baseline);
 
-  //! Returns the head's poses while the shutter is open around a show time: an odd number, with
-  //! `middle` in the middle.
+  //! Returns the head's poses on the show's path while the shutter is open: an odd number, at equal
+  //! intervals around `time_s`. `middle` is the pose at `time_s`; if it has no velocity, the
+  //! results have none, and `middle` replaces those that are inside the horizon.
   [[nodiscard]] std::vector<CameraPose> shutter_poses(const CameraPose& middle, double time_s) const;
   //! Throws Error if the chosen integrator cannot trace the rays of a heat map from the camera's
   //! position.

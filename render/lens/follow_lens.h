@@ -10,7 +10,7 @@
 
 namespace ergodome {
 
-//! Selects what the rays of a heat map of steps or errors are followed to.
+//! How the rays of a heat map of steps or errors are traced, and to which shells.
 struct FollowedRays {
   TraceMethod method = TraceMethod::taylor;
   //! Visible shells, outermost first. A ray that meets them is followed until it is past the last

@@ -45,8 +45,8 @@ struct LensRequest {
   GridScheme scheme = GridScheme::conforming;
 };
 
-//! Returns whether an eye is beside the path of the show's camera, as both eyes of a stereo pair
-//! are. A single eye is on the path up to rounding.
+//! Returns whether an eye's (r, θ) differs from its head's by more than rounding. Both eyes of a
+//! stereo pair are beside the head's path; a single eye is on it.
 inline bool is_beside(const EyeCamera& eye) {
   return std::abs(eye.r - eye.head_r) > 1e-12 * eye.head_r || std::abs(eye.theta - eye.head_theta) > 1e-12;
 }
@@ -54,7 +54,9 @@ inline bool is_beside(const EyeCamera& eye) {
 //! Returns whether baked stations are accurate to `error` [rad].
 bool holds_budget(const TrajectoryProvenance& baked, double error);
 
-//! Returns whether baked stations can be used for an eye's frames with accuracy `error` [rad].
+//! Returns whether baked stations may be used for an eye's frames: if `choice` is `streamed`, or if
+//! it is `automatic` and they are accurate to `error` [rad]. An eye beside the path also requires
+//! that they have derivatives.
 bool may_stream(const TrajectoryProvenance& baked, LensChoice choice, const EyeCamera& eye, double error);
 
 //! Returns the accepted blending error [px] where the bake did not measure it: for an eye beside
@@ -62,8 +64,8 @@ bool may_stream(const TrajectoryProvenance& baked, LensChoice choice, const EyeC
 double allowed_unmeasured_px(const TrajectoryProvenance& baked, double budget_px, double pixel);
 
 //! Creates the lens of each frame, from a stream of baked stations if there is one. Caches the last
-//! live grids, which a camera that turns, changes its velocity or circles the hole's axis can use
-//! again.
+//! live grids, which a camera that turns, changes its velocity slightly or circles the hole's axis
+//! can use again.
 class LensChooser {
  public:
   explicit LensChooser(Backend backend, std::shared_ptr<StationStream> stream = nullptr)

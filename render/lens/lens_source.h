@@ -33,14 +33,14 @@ class LensSource {
   }
 
   //! Fills the channels of the same rows for this lens (`out`) and for the other eye's
-  //! (`of_other`).
+  //! (`of_other`). Lenses that override this require that shares_work_with() returns true.
   virtual void fill_both(const LensSource& other, int first_row, int row_count, const LensPixels& out,
                          const LensPixels& of_other) const {
     fill(first_row, row_count, out);
     other.fill(first_row, row_count, of_other);
   }
 
-  //! Returns the name of the source for display: "direct", "live" or "streamed".
+  //! Returns the name of the source for display: "direct", "live", "streamed" or "quadtree".
   [[nodiscard]] virtual const char* name() const = 0;
 
   //! Returns whether the lens is that of an earlier camera position, because the lens of the

@@ -14,9 +14,11 @@ class OmniChooser {
  public:
   explicit OmniChooser(Backend backend) : backend_(backend) {}
 
-  //! Creates the lens of an eye. Traces one ray per pixel in the cases in which LensChooser does,
-  //! on a GPU, and if the budget is too small for float; otherwise builds a grid with the error
-  //! budget omni_budget_px. Never uses baked stations.
+  //! Creates the lens of an eye. Traces one ray per pixel on a GPU, for LensChoice::direct, and in
+  //! view modes that show rays (shows_rays()). LensChoice::automatic also does so for small frames,
+  //! for budgets too small for float, and if a grid would leave a quarter of the pixels or more to
+  //! rays. Otherwise builds a grid with the error budget omni_budget_px, or a smaller
+  //! `accuracy.budget_px`. Never uses baked stations.
   std::unique_ptr<LensSource> choose(const std::shared_ptr<const OmniEye>& eye, const Projection& projection,
                                      ViewMode mode, LensChoice choice, const LensAccuracy& accuracy);
 

@@ -23,8 +23,8 @@ struct OmniEye {
   double side;        //!< -1: left, 1: right
   EyeCamera head;     //!< camera of the head; its frame is the view's axes
   ShadowChart chart;  //!< chart centered on the shadow, in the view's axes
-  //! Shadow edge around the chart's center, at equal steps of the position angle [rad]; may be
-  //! empty.
+  //! Polar angles [rad] of the shadow's edge around the chart's center, at equal steps of the
+  //! position angle; empty for trails.
   std::vector<float> edge;
 };
 
@@ -36,7 +36,8 @@ std::shared_ptr<const OmniEye> make_omni_eye(std::shared_ptr<const OmniCamera> c
 //! The left and the right ODS eye.
 using OmniPair = std::array<std::shared_ptr<const OmniEye>, 2>;
 
-//! Builds both eyes about a head. Returns nothing if their baseline is too large at this position.
+//! Builds both eyes about a head. Returns nothing if their baseline is too large at this position,
+//! or if the shadow of one is not a single connected region.
 std::optional<OmniPair> make_omni_pair(Backend backend, const EyeAtOffset& eye_at, const OmniSettings& settings);
 
 //! Like make_omni_eye(), but without the shadow edge. Cheap; used to follow star images to another

@@ -23,12 +23,11 @@ struct ShaderSource {
   std::string text;
 };
 
-//! Links a program of any shaders in the current context. Throws Error with the driver's message if
-//! it rejects them.
+//! Compiles and links a program of any shaders in the current context. Throws Error if the driver
+//! rejects them, with its message if a shader does not compile.
 unsigned linked_program(const std::vector<ShaderSource>& shaders);
 
-//! Links a program of two shaders in the current context. Throws Error with the driver's message if
-//! it rejects them.
+//! Does the same with a vertex shader and a fragment shader.
 unsigned linked_program(const std::string& vertex_source, const std::string& fragment_source);
 
 //! Sets the uniforms for the tone in the current program, which must contain tone_source.
@@ -37,7 +36,7 @@ void set_tone(const Tone& tone);
 //! Returns whether the current context renders on the CPU: Mesa's llvmpipe or softpipe.
 bool draws_in_software();
 
-//! Throws Error unless the current context is OpenGL 4.5.
+//! Throws Error unless the current context is OpenGL 4.5 or later.
 void require_gl_45();
 
 }  // namespace ergodome

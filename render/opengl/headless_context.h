@@ -30,7 +30,7 @@ std::vector<std::uint8_t> read_framebuffer(int width, int height);
 //! A framebuffer without a window, with eight bits per channel, in the current context.
 class OffscreenFrame {
  public:
-  //! Throws Error if the driver lacks memory for this size.
+  //! Throws Error if the size exceeds the driver's limit, or if memory is insufficient.
   OffscreenFrame(int width, int height);
   ~OffscreenFrame();
   OffscreenFrame(const OffscreenFrame&) = delete;
@@ -39,7 +39,7 @@ class OffscreenFrame {
   //! Directs subsequent drawing to this framebuffer.
   void bind() const;
 
-  //! Returns the contents as RGB bytes, top row first.
+  //! Binds this framebuffer and returns its contents as RGB bytes, top row first.
   [[nodiscard]] std::vector<std::uint8_t> read_back() const;
 
   [[nodiscard]] int width() const { return width_; }

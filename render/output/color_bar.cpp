@@ -72,7 +72,7 @@ class BarRow {
   BarRow(int from, int to, int letter_px) : from_(from), to_(to), letter_px_(letter_px) {}
 
   //! Adds a text centered at `middle`, but moved so that it is within the range. Returns false if
-  //! it overlaps an earlier text or is too wide for the range.
+  //! it overlaps an earlier text or is too wide for the range; it is added all the same.
   bool add(const std::string& text, int middle, int top_y) {
     const int width = image_library().text_box(text, letter_px_).width;
     const int left = std::clamp(middle - width / 2, from_, std::max(from_, to_ - width));
@@ -98,8 +98,8 @@ int digits_of(const HeatRange& range) {
   return 3 + std::clamp(static_cast<int>(-std::log10(std::max(share, 1e-9))), 0, 9);
 }
 
-//! Returns the numbers at the ends of a bar, and at as many positions between them as there is room
-//! for; none if there is no room for those at the ends.
+//! Returns the numbers at the ends of a bar, and at three, one or no positions between them,
+//! depending on the room; none if there is no room for those at the ends.
 std::vector<BarText> bar_numbers(const ColorBarLayout& bar, const HeatRange& range, int from, int to) {
   const int digits = digits_of(range);
   for (const int intervals : {4, 2, 1}) {

@@ -21,7 +21,7 @@ struct ColorBarLayout {
   int left, top, width, height;
   int letter_px;
   //! Labels of the scale from the left, then the title. If there is not enough room, there are
-  //! fewer labels or the title is shorter.
+  //! fewer labels or none, and the title is shorter or absent.
   std::vector<BarText> texts;
 };
 

@@ -33,8 +33,8 @@ struct FrameFormat {
 const std::vector<std::string>& image_format_names();
 const std::vector<std::string>& exr_compression_names();
 
-//! Returns the format with these names; an empty compression means zip. Throws Error if a
-//! compression is given for a format other than EXR.
+//! Returns the format with these names, which must be in the two lists above; an empty compression
+//! means zip. Throws Error if a compression is given for a format other than EXR.
 FrameFormat frame_format(const std::string& image, const std::string& compression, bool alpha);
 
 //! Returns the file name extension of a format, without the dot.

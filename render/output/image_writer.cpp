@@ -25,7 +25,8 @@ constexpr float rec709[8] = {0.64F, 0.33F, 0.30F, 0.60F, 0.15F, 0.06F, 0.3127F, 
 //! Prefix of metadata names in files.
 const std::string metadata_prefix = "ergodome:";
 
-//! Returns the picture's light, with values clamped to the finite range of half floats.
+//! Returns the picture's light, three values per pixel, clamped to 0 ... 65504 (the maximum of half
+//! floats); NaN becomes 0.
 std::vector<float> bounded_rgb(const Picture& picture) {
   std::vector<float> rgb;
   rgb.reserve(picture.rgba.size() / 4 * 3);
@@ -118,7 +119,8 @@ std::vector<Value> with_alpha(const std::vector<Value>& rgb, const FrameFormat& 
   return rgba;
 }
 
-//! Divides the light of partly covered pixels by their coverage, because PNG has straight alpha.
+//! Divides the light of partly covered pixels by their coverage, because PNG and TIFF files get
+//! straight alpha.
 Picture light_beside_alpha(Picture picture) {
   for (std::size_t at = 0; at < picture.rgba.size(); at += 4) {
     const float coverage = picture.rgba[at + 3];
@@ -150,8 +152,8 @@ bool is_complete_part(ImageInput& input, int part, int width, int height) {
          input.read_through();
 }
 
-//! Returns whether a PNG has its end marker. Avoids opening truncated files, for which the reader
-//! prints messages.
+//! Returns false for a PNG without its end marker, true for any other file. Avoids opening
+//! truncated PNG files, for which the reader prints messages.
 bool may_be_whole(const std::filesystem::path& path) {
   constexpr std::string_view end("IEND\xAE\x42\x60\x82", 8);
   if (path.extension() != ".png") {
@@ -198,7 +200,7 @@ Error cannot_be_written(const std::filesystem::path& path, ImageOutput* output) 
   return {path.string(), "cannot be written: " + reason, "check the folder, its permissions and the free space"};
 }
 
-//! Creates a writer for a format that the program relies on.
+//! Creates a writer for a format; nullptr if the image library cannot.
 std::unique_ptr<ImageOutput> writer_of(const char* format) {
   std::string problem;
   return image_library().create(format, nullptr, problem);

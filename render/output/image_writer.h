@@ -17,9 +17,9 @@ namespace ergodome {
 using FrameMetadata = std::vector<std::pair<std::string, std::string>>;
 
 //! Writes a picture. PNG and TIFF hold tone-mapped sRGB with 8 or 16 bits, lossless; EXR holds half
-//! floats, linear light and Rec. 709 chromaticities. With alpha, EXR and TIFF hold light times
-//! alpha, as both formats specify; PNG specifies straight alpha. Writes atomically: the file is
-//! complete or absent. Throws Error with the reason (a full disk, a folder without permission).
+//! floats, linear light and Rec. 709 chromaticities. With alpha, EXR holds light times alpha; PNG
+//! and TIFF have straight alpha. Writes atomically: the file is complete or absent. Throws Error
+//! with the reason (a full disk, a folder without permission).
 void write_picture(const std::filesystem::path& path, const FrameFormat& format, const Picture& picture,
                    const FrameMetadata& metadata);
 

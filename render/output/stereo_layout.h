@@ -19,7 +19,9 @@ constexpr bool fills_window_by_eye(StereoLayout layout) {
   return layout == StereoLayout::quad_buffer || layout == StereoLayout::rows;
 }
 
-//! Returns whether a window shows both eyes' pictures completely, beside or above each other.
+//! Returns whether both eyes' pictures keep their size: apart, beside or above each other, or each
+//! filling the window (of `rows`, every other row is shown). Otherwise they are halved or mixed, or
+//! only one is shown.
 constexpr bool shows_eyes_whole(StereoLayout layout) {
   return keeps_eyes_apart(layout) || fills_window_by_eye(layout) || layout == StereoLayout::side_by_side ||
          layout == StereoLayout::top_bottom;
@@ -33,8 +35,9 @@ struct ImageSize {
   bool operator==(const ImageSize&) const = default;
 };
 
-//! Returns the size of the image that a layout combines from two eyes' pictures of size `eye`;
-//! `eye` itself if the layout keeps the eyes apart. Halves are rounded up.
+//! Returns the size of the image that a layout combines from two eyes' pictures of size `eye`. It
+//! is `eye` itself for one picture in place of both (mono, rows, anaglyphs), and for layouts that
+//! keep the eyes apart. Halves are rounded up.
 ImageSize layout_size(StereoLayout layout, ImageSize eye);
 
 //! Returns the size of a layout's picture in a window. Eyes that are kept apart are put side by

@@ -40,7 +40,7 @@ using Owned = std::unique_ptr<T, Free>;
 
 constexpr int longest_px = 8192;
 
-//! Lines that are laid out for drawing; `layout` is empty without lines.
+//! Lines that are laid out for drawing; `size` is 0 if text_lines_image() draws nothing.
 struct LaidLines {
   Owned<PangoContext> context;
   Owned<PangoLayout> layout;
@@ -113,13 +113,15 @@ TextImage text_lines_image(const std::string& text, int font_px, TextFace face, 
 
 namespace {
 
-//! Reach of the rim as a fraction of the line height, its darkness, and the gain of its edge.
+//! Reach of the rim as a fraction of the line height, its maximum darkness, and the factor on the
+//! blurred coverage that becomes the darkness.
 constexpr double rim_reach = 0.22;
 constexpr float rim_darkness = 0.97F;
 constexpr float rim_gain = 5.0F;
 
-//! Replaces each value by the mean of the 2 reach + 1 values around it in its line. Lines start
-//! `line` elements apart, and the values of a line are `step` elements apart.
+//! Replaces each value by the mean of the 2 reach + 1 values around it in its line; beyond the ends
+//! values are 0. Lines start `line` elements apart, and the `count` values of a line are `step`
+//! elements apart.
 void blur_lines(std::vector<float>& values, int lines, long line, int count, long step, int reach) {
   std::vector<float> before(static_cast<std::size_t>(count));
   for (int i = 0; i < lines; ++i) {

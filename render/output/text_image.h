@@ -28,9 +28,9 @@ struct TextLinesSize {
 TextLinesSize text_lines_size(const std::string& text, int font_px, TextFace face = TextFace::proportional,
                               int widest_px = 0);
 
-//! Draws lines of UTF-8 text below each other, with a margin; empty without visible text or without
-//! a font. `widest_px` limits the width: longer lines are wrapped between words, or within a word
-//! that is too long. 0: no limit.
+//! Draws lines of UTF-8 text below each other, with a margin of half of `font_px`. Empty without
+//! visible text or a font, or if the lines are wider or higher than 8192 px. `widest_px` limits the
+//! width: longer lines are wrapped between words, or within a word that is too long. 0: no limit.
 TextImage text_lines_image(const std::string& text, int font_px, TextFace face = TextFace::proportional,
                            int widest_px = 0);
 

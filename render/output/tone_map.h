@@ -32,8 +32,8 @@ std::vector<float> coverage_of(const Picture& picture);
 //! Computes the geometric mean of the light of one or several pictures, such as those of both eyes.
 class LightMeter {
  public:
-  //! Adds the pixels of a picture that the image covers. Light below 1e-5 counts as 1e-5, and NaN
-  //! is ignored.
+  //! Adds the pixels of a picture whose coverage exceeds 0.5. Light below 1e-5 counts as 1e-5;
+  //! non-finite light is ignored.
   void add(const Picture& picture);
 
   //! Returns the geometric mean of the luminances of all added pixels, or 0 without pixels.
@@ -59,7 +59,9 @@ class AutoExposure {
   [[nodiscard]] double stops() const { return stops_; }
 
   //! Returns the stops to apply to pictures whose mean light is `middle_light`, shown `seconds`
-  //! after the previous ones. The first call adapts at once.
+  //! after the previous ones. Approaches those that bring the light to the settings' target, within
+  //! their limits, with the time constant adapt_s; the first call adapts at once. Light of 0 has no
+  //! target: the stops are only limited.
   double follow(double middle_light, double seconds);
 
  private:

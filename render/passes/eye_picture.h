@@ -25,9 +25,9 @@ class Pass;
 
 //! One of two eyes that share the camera of their head.
 struct SharedCameraEye {
-  std::shared_ptr<const FlatShadow> shadow;  //!< as the head sees it; the same object for both eyes
+  std::shared_ptr<const FlatShadow> shadow;  //!< the head's shadow; the same object for both eyes
   Projection head_projection;
-  double offset = 0.0;      //!< to the right of the head [M]
+  double offset = 0.0;      //!< distance of the eye to the right of the head [M]
   std::vector<float> edge;  //!< FlatShadow::eye_edge of the offset
 };
 
@@ -55,7 +55,7 @@ struct PictureSettings {
   std::shared_ptr<const OmniEye> omni;
   //! ODS view in which polygon objects are drawn, instead of the picture's camera.
   std::shared_ptr<const OmniView> omni_view;
-  std::optional<SharedCameraEye> shared;  //!< if the picture's eye is the head's, for one of two eyes
+  std::optional<SharedCameraEye> shared;  //!< set for one of two eyes that share the head's camera
   std::optional<Shutter> shutter;         //!< if given, stars leave trails
   double time_s = 0.0;                    //!< show time, for moving objects
   //! Replaces the default value range of heat maps; must be above 0 if colors are logarithmic.

@@ -37,7 +37,7 @@ class PassDrawing {
 //! The finished picture of one eye of a frame.
 struct FinishedEye {
   float* rgba;             //!< light and coverage, in the memory of FinishedFrame::backend
-  double offset;           //!< of the eye to the right of the head [M]
+  double offset;           //!< distance of the eye to the right of the head [M]
   const Picture* picture;  //!< the same in host memory; nullptr if it stays in the backend's
 };
 
@@ -49,8 +49,8 @@ struct FinishedFrame {
   const CameraPose& pose;
   const Projection& projection;
   std::optional<double> time_s;  //!< show time; none in free flight
-  double clock_s;                //!< time of any clock, which automatic exposure follows
-  Tone tone;                     //!< with which all of them are displayed
+  double clock_s;                //!< time over which automatic exposure adapts: of the show or the wall clock
+  Tone tone;                     //!< tone with which all eyes' pictures are displayed
   std::vector<FinishedEye> eyes;
 };
 
@@ -72,7 +72,8 @@ class Pass {
     return std::make_unique<PassDrawing>();
   }
 
-  //! Draws over the finished pictures of all eyes, or changes their tone.
+  //! Draws over the finished pictures of all eyes, or changes their tone; only passes of
+  //! PassStage::frame do.
   virtual void finish_frame(FinishedFrame& frame) { static_cast<void>(frame); }
 
   //! Applies the show's numbers at another time. `change`: what the changed numbers invalidate.

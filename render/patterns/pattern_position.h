@@ -39,8 +39,8 @@ struct PatternPosition {
 //! Returns the position for a pattern at pixel coordinates of a picture.
 PatternPosition pattern_position(const PatternView& projection, double x_px, double y_px);
 
-//! Converts PatternPosition's coordinates `across` and `up`, above the horizon, to azimuth and
-//! elevation on the dome [deg].
+//! Converts PatternPosition's coordinates `across` and `up` to azimuth and elevation on the dome
+//! [deg].
 void dome_position(const PatternView& projection, double across, double up, double& azimuth_deg, double& elevation_deg);
 
 //! Returns the angle [deg] that corresponds to a difference of `part` in PatternPosition::up, in

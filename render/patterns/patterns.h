@@ -15,7 +15,7 @@ Picture grey_ramp_pattern(const PatternView& projection);
 Picture colour_bar_pattern(const PatternView& projection);
 Picture resolution_pattern(const PatternView& projection);
 Picture blend_check_pattern(const PatternView& projection);
-//! Draws the pattern with the texts of the left eye, the right eye or both.
+//! Draws the texts of the left eye, the right eye or both, on a dim polar grid.
 Picture left_right_pattern(const PatternView& projection, bool left, bool right);
 //! Draws a uniform gray, in linear light.
 Picture even_pattern(const PatternView& projection, float light);
@@ -24,9 +24,10 @@ Picture even_pattern(const PatternView& projection, float light);
 //! horizon, ZENITH and NADIR (white), and degrees (gray).
 std::vector<DomeLabel> orientation_labels();
 
-//! Draws circles of elevation and lines of azimuth every 15° as a viewer inside sees them, with
-//! brighter horizon and quarters, and labels. Shows whether left and right are correct. Linear
-//! light, coverage in the fourth channel; black where the projection has no image.
+//! Draws circles of elevation and lines of azimuth every 15° as a viewer inside sees them, with a
+//! brighter horizon, brighter lines of azimuth every 90°, and labels. Shows whether left and right
+//! are correct. Linear light, coverage in the fourth channel; black where the projection has no
+//! image.
 Picture orientation_pattern(const PatternView& projection);
 
 }  // namespace ergodome

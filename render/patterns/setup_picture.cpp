@@ -34,8 +34,8 @@ float mask_at(const BlendMap& mask, const WarpNode& position) {
 }
 
 //! Inverts a warp: returns a mesh with the raster position for each of size x size pixels of the
-//! domemaster. Nodes where the mask has no light, and nodes outside the image circle of a fisheye
-//! lens, are invalid.
+//! domemaster. Nodes that the warp does not reach, outside the raster, or without light (intensity
+//! times mask) are invalid.
 WarpMesh raster_of_master(const ProjectorPicture& picture, int size_px) {
   WarpMesh turned = picture.warp;
   for (WarpNode& node : turned.nodes) {
@@ -50,7 +50,8 @@ WarpMesh raster_of_master(const ProjectorPicture& picture, int size_px) {
   return raster;
 }
 
-//! Returns the fraction of a pixel that the lines of the raster cover.
+//! Returns the fraction of a pixel of the domemaster that is covered by lines at sixteenths of the
+//! raster's width and height.
 double raster_line(const WarpMesh& raster, int column, int row) {
   const WarpNode& here = raster.at(column, row);
   const WarpNode& right = raster.at(std::min(column + 1, raster.columns - 1), row);
@@ -66,8 +67,8 @@ double raster_line(const WarpMesh& raster, int column, int row) {
                   line_at(static_cast<double>(here.v), spacing, change(here.v, right.v, below.v), 1.0));
 }
 
-//! Returns labels with the projectors' numbers in the middle of their rasters, if that is on the
-//! dome.
+//! Returns labels with the projectors' numbers at the middle of their rasters; none for a projector
+//! that lights no part of the dome within a tenth of its raster from the middle.
 std::vector<DomeLabel> numbers_of(const std::vector<WarpMesh>& rasters, const Projection& projection) {
   std::vector<DomeLabel> labels;
   for (std::size_t i = 0; i < rasters.size(); ++i) {

@@ -9,8 +9,8 @@
 
 namespace ergodome {
 
-//! Returns the fraction of the dome that each projector lights, 0 to 1, followed by the fraction
-//! that none lights.
+//! Returns the fraction of the dome's solid angle that each projector lights, 0 to 1, followed by
+//! the fraction that none lights.
 std::vector<double> lit_parts(const std::vector<ProjectorPicture>& pictures);
 
 //! Draws how projectors light the dome, as a domemaster. Each projector has a color, which is

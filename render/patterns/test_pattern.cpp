@@ -61,7 +61,8 @@ void write(const ImageCanvas& canvas, int x, int y, const std::string& text, int
   image_library().draw_text(canvas, x, y, text, {std::max(font_px, 1), colour, TextAnchor::centre});
 }
 
-//! Draws a circle: all pixels whose center is at most 0.75 pixels from it.
+//! Draws a circle around the picture's middle: all pixels whose center is less than 0.75 pixels
+//! from it.
 void draw_circle(Picture& picture, double radius_px) {
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {

@@ -12,7 +12,7 @@ namespace ergodome {
 
 enum class TestPattern {
   orientation,  //!< which side is which (orientation_pattern)
-  //! Circles and meridians every 5°, numbers every 30°, compass directions (north in front).
+  //! Circles and meridians every 5°, numbers every 10°, compass directions (north in front).
   polar_grid,
   checker,      //!< fields of 10° in elevation and about the same width
   grey_ramp,    //!< steps of 16 values, a smooth ramp, the darkest and the brightest 17 values
@@ -36,7 +36,7 @@ Picture draw_test_pattern(TestPattern pattern, const PatternView& projection, Fr
 
 //! Draws a projector's own raster, without warp: its number and name, its size, a frame of single
 //! pixels at the edge, both diagonals, and a circle that is round if pixels are square. `number`
-//! counts from 1.
+//! counts from 1. Throws Error unless both sides are 1 to 16,384 px.
 Picture draw_projector_number(int number, const std::string& name, int width_px, int height_px);
 
 }  // namespace ergodome

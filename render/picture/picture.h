@@ -24,8 +24,8 @@ struct HeatRange {
   bool logarithmic;
 };
 
-//! Returns the range of a heat map's color bar. It is logarithmic for steps of methods that differ
-//! by orders of magnitude.
+//! Returns the default range of a heat map's color bar. It is linear for image orders and, unless
+//! `logarithmic_steps` is set, for numbers of steps; otherwise logarithmic.
 HeatRange heat_range(ViewMode mode, bool logarithmic_steps = false);
 
 //! One eye's picture: linear light, four floats per pixel (red, green, blue, coverage), top row
@@ -36,7 +36,7 @@ struct Picture {
   PixelValues rgba;
   const char* lens = "";       //!< source of the lens: LensSource::name()
   bool behind = false;         //!< LensSource::behind()
-  long unresolved_pixels = 0;  //!< rays that did not converge; they show the mean of the sky
+  long unresolved_pixels = 0;  //!< number of rays that did not converge; they show the mean of the sky
   std::optional<HeatRange> heat_range;
   Tone tone;  //!< tone settings with which the picture is to be displayed
 };

@@ -8,8 +8,8 @@ namespace {
 //! lens channels (6 MiB) stay in the cache until they are shaded.
 constexpr int block_pixels_on_device = 1 << 20;
 constexpr int block_pixels_on_host = 1 << 17;
-//! Pixels of both eyes that are rendered at a time: half as many as otherwise, because the channels
-//! of two eyes need twice the memory.
+//! Pixels of each eye that are rendered at a time if the skies of two eyes alternate: a quarter of
+//! a CPU block, because the channels of both eyes share the cache.
 constexpr int strip_pixels = 1 << 15;
 
 }  // namespace

@@ -20,7 +20,8 @@ class PlanWriter {
   //! Returns the finished plan.
   FramePlan finish();
 
-  //! The show with each animated number at its maximum or at its minimum.
+  //! maximum() returns the show with every animated number at its maximum, minimum() at its
+  //! minimum.
   [[nodiscard]] const Show& maximum() const { return maximum_; }
   [[nodiscard]] const Show& minimum() const { return minimum_; }
   [[nodiscard]] const FrameRequest& request() const { return request_; }
@@ -43,15 +44,17 @@ class PlanWriter {
   //! Returns whether the baseline is 0 at times. Then both pictures are equal to the head's.
   [[nodiscard]] bool eyes_are_together_at_times() const;
   //! Returns whether the skies of the two eyes are rendered alternately, at least at times. This
-  //! requires that no pass needs PassKind::serves_one_picture.
+  //! requires the CPU, a stereo model in which each eye has its own camera, and a time at which no
+  //! pass with PassKind::serves_one_picture draws.
   [[nodiscard]] bool makes_eyes_in_turn() const;
   //! Returns whether an animation rotates the sky, which is then resampled for each picture.
   [[nodiscard]] bool sky_turns() const;
 
-  //! Returns a text with the key and its line in the show file, and with the line of the animation
-  //! of the key or of a number in its table.
+  //! Returns a key of the show as the reason for work, with its line in the show file (or "by
+  //! default", or --set), and with the lines of the animations of the key or of numbers below it.
   [[nodiscard]] std::string why(const std::string& key) const;
-  //! Returns a text that gives the requested view mode as the reason for work.
+  //! Returns the reason why the lens is needed: the key sky.map for the view of the sky, otherwise
+  //! the requested view mode.
   [[nodiscard]] std::string why_view() const;
 
   //! Sets the name of the lens's source.

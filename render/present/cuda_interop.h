@@ -26,7 +26,7 @@ class CudaTextureLink {
     int top;
   };
 
-  //! Copies pictures into parts of the texture.
+  //! Copies pictures into parts of the texture. Throws Error if CUDA fails.
   void copy_from_device(std::span<const Part> parts);
 
  private:
@@ -43,7 +43,8 @@ class CudaBufferLink {
   CudaBufferLink(const CudaBufferLink&) = delete;
   CudaBufferLink& operator=(const CudaBufferLink&) = delete;
 
-  //! Fills the beginning of the buffer from GPU memory.
+  //! Copies `bytes` bytes from GPU memory to the beginning of the buffer, or as many as it holds.
+  //! Throws Error if CUDA fails.
   void copy_from_device(const std::uint8_t* from, std::size_t bytes);
 
  private:

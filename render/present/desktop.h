@@ -29,8 +29,9 @@ bool overlap(const DesktopRectangle& a, const DesktopRectangle& b);
 //! Returns a list for messages: "0 (DP-1, 1920 x 1080 at 0, 0), 1 (HDMI-1, 1280 x 800 at 1920, 0)".
 std::string monitor_list(const std::vector<DesktopMonitor>& monitors);
 
-//! Returns a position at which a window fits on one monitor without covering taken rectangles, as
-//! far up and to the left as possible; nothing if there is none.
+//! Returns a position at which a window of the size of `window` fits into a monitor's work area
+//! without covering taken rectangles: on the first monitor with room, as far up, then as far to the
+//! left as possible. Returns nothing if there is none.
 std::optional<DesktopRectangle> free_rectangle(const DesktopRectangle& window,
                                                const std::vector<DesktopMonitor>& monitors,
                                                std::span<const DesktopRectangle> taken);

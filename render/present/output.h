@@ -86,7 +86,7 @@ class Output {
 //! override what only windows have.
 class DisplayOutput : public Output {
  public:
-  //! Sets the factor on the light of the frames, 0 to 1. Text is not dimmed.
+  //! Sets the factor on the light of the frames, 0 to 1. Texts of set_text() are not dimmed.
   virtual void set_light(double light) = 0;
   //! Shows the last frame. Returns when the next one can be shown.
   virtual void show() = 0;

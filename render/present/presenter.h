@@ -56,6 +56,7 @@ class Presenter {
   void upload_eyes(const Picture& left, const Picture& right, bool above);
 
   //! Copies a picture, or two eyes' pictures, from CUDA memory without a copy through the host.
+  //! Throws Error if CUDA fails.
   void upload_from_device(const DevicePicture& picture);
 
   //! Sets the factor on the display's light, 0 to 1.
@@ -71,7 +72,7 @@ class Presenter {
   [[nodiscard]] PresentedPicture shown() const;
 
   //! Returns the area of a framebuffer of the given size in which the picture, or halves of it, are
-  //! shown.
+  //! shown; 0 x 0 before the first picture.
   [[nodiscard]] PictureArea area(int framebuffer_width, int framebuffer_height,
                                  PicturePart part = PicturePart::whole) const;
 

@@ -42,8 +42,8 @@ class TextPanel {
   void set(const std::string& text, int font_px, TextFace face = TextFace::proportional, int widest_px = 0,
            PanelGround ground = PanelGround::dark);
 
-  //! Draws the panel in a part of the bound framebuffer. `raised`: distance from the bottom, as a
-  //! fraction of the height.
+  //! Draws the panel in a part of the bound framebuffer. `raised`: for bottom_middle, the distance
+  //! from the bottom as a fraction of the height, at least 0.05.
   void draw(const PanelArea& area, PanelPosition position, double raised = 0.0);
 
   //! Draws the panel in a whole framebuffer of the given size.

@@ -46,7 +46,7 @@ class Window {
   //! Selects the buffer of an eye for drawing; `both` in a plain window.
   void draw_into(WindowEye eye);
 
-  //! Shows what was drawn; waits for the display's refresh.
+  //! Shows what was drawn; waits for the display's refresh unless swap_at_once() was called.
   void swap();
 
   void toggle_full_screen();
@@ -66,7 +66,8 @@ class Window {
   //! Shows or hides the cursor, unless it is hidden permanently.
   void show_cursor(bool shown);
 
-  //! Moves the window to the top left of a monitor, counted from 0.
+  //! Moves the window to the top left of a monitor's work area, 40 px down for its title bar.
+  //! Monitors count from 0; does nothing if there is none with this number.
   void move_to_monitor(int monitor);
 
   //! Returns the window's rectangle, including the frame of the window manager.

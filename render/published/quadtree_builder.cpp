@@ -94,7 +94,8 @@ class QuadtreeBuilder {
     trace_wanted();
   }
 
-  //! Adds the four children of a cell. Their corners are the middles of the cell and of its sides.
+  //! Adds the four children of a cell, or of a mirrored grid those in the upper half. Their corners
+  //! are the middles of the cell and of its sides.
   void split(const QuadtreeCell& cell, std::vector<QuadtreeCell>& next) {
     const int half = cell.width / 2;
     for (const int down : {0, half}) {

@@ -9,7 +9,8 @@
 
 namespace ergodome {
 
-//! The parameters of Verbraeck & Eisemann's (VE's) grid, with their published values.
+//! The parameters of Verbraeck & Eisemann's (VE's) grid, with their published values, and the
+//! integrator of its rays.
 struct QuadtreeSettings {
   int coarsest_level = 6;
   int finest_level = 10;
@@ -20,12 +21,12 @@ struct QuadtreeSettings {
   double largest_diagonal_squared = 0.015;
   TraceMethod method = TraceMethod::taylor;
   double tolerance = 1e-9;
-  //! True: vertices in the middle of a larger cell's side (T-vertices) are repaired.
+  //! True: vertices inside the side of a larger cell (T-vertices) get values interpolated along it.
   bool repair = true;
 };
 
-//! Returns whether the upper half of a camera's grid suffices: the camera is on the equator and
-//! moves along it.
+//! Returns whether the upper half of a camera's grid suffices: the camera is on the equator and its
+//! velocity (e_r, e_θ, e_φ) has no component across it.
 bool quadtree_is_mirrored(double theta, const Vector3<double>& velocity);
 
 //! A quadtree grid and its vertices.
@@ -53,7 +54,8 @@ class QuadtreeLens {
   bool mirrored_;
 };
 
-//! The position of the shadow in a camera's view, computed from the exact critical curve.
+//! The shadow's center, and its edge around it, in rows and columns of a quadtree grid in a
+//! camera's view. Computed from the exact critical curve.
 class QuadtreeShadowTable {
  public:
   QuadtreeShadowTable(const CameraStation& camera, int level);

@@ -25,7 +25,7 @@ constexpr double found = 1e-7;
 constexpr double farthest = 0.5;
 
 //! Computes the sky direction that an eye sees in a view direction, with its derivatives along two
-//! directions of the view. Returns false in the shadow.
+//! directions of the view. Returns false in the shadow, or if the ray does not converge.
 bool sky_seen_by(const StereoEye& from, const Vector3<EdgeDual>& seen, Vector3<EdgeDual>& sky) {
   const Vector3<double> middle = {seen.x.value, seen.y.value, seen.z.value};
   const EyeCamera eye = from.camera(middle);
@@ -90,7 +90,7 @@ bool find_direction(const StereoEye& eye, const Vector3<double>& star, Vector3<d
   return false;
 }
 
-//! Computes the leftmost and rightmost points of the shadow's edge.
+//! Computes the view directions of the leftmost and rightmost of 64 points on the shadow's edge.
 void edge_sides(const StereoEye& eye, Vector3<double> (&sides)[2]) {
   const EyeCamera camera = eye.camera({0.0, 0.0, -1.0});
   const CameraStation station =

@@ -13,9 +13,9 @@
 
 namespace ergodome {
 
-//! Range of the disparities of a frame: the angle by which a thing is farther to the right in the
-//! right eye's image than in the left eye's. Negative values are nearer than the convergence
-//! distance, in front of the screen.
+//! Range of the disparities of a frame: the distance, in pixels and in arcminutes, by which a thing
+//! is farther to the right in the right eye's image than in the left eye's. Negative values are
+//! nearer than the convergence distance, in front of the screen.
 struct Disparity {
   double min_px = 0.0;
   double max_px = 0.0;

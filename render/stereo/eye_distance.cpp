@@ -21,7 +21,8 @@ double room_outside(Spacetime spacetime, double r, double outwards) {
   return std::min((r - horizon_radius(spacetime)) / outwards, share_of_r * r / std::max(outwards, 1.0));
 }
 
-//! Returns the change of r along a proper length of 1 M in the outward direction, see eye_event().
+//! Returns the change of r along a proper length of 1 M in the outward direction, in the rain frame
+//! if `in_rain`, otherwise in the ZAMO frame; see eye_event().
 double outwards_scale(Spacetime spacetime, double r, double theta, bool in_rain) {
   const KerrFunctions f = kerr_functions(spacetime, r, theta);
   return in_rain ? std::sqrt(f.area) / f.sigma : std::sqrt(std::max(f.delta, 0.0) / f.sigma);

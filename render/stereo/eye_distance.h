@@ -22,7 +22,8 @@ double omni_room(Spacetime spacetime, const CameraPose& pose);
 //! or less if the ODS cameras cannot be fitted. Throws Error if eye_camera() does.
 double max_baseline(const Show& show, const CameraPose& pose);
 
-//! Returns the baseline used at a pose [M]: the show's, limited to max_baseline().
+//! Returns the baseline used at a pose [M]: the show's, limited to max_baseline(). Throws Error
+//! like that function.
 double fitting_baseline(const Show& show, const CameraPose& pose);
 
 }  // namespace ergodome

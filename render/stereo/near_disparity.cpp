@@ -64,10 +64,10 @@ class NearThings {
     }
   }
 
-  //! Selects some of the points `positions`, which are ordered by distance: the first and the last
-  //! of those that the picture would show if light traveled straight, and the outermost ones on all
-  //! sides, because lensed images are stretched towards their edges. If the picture would show
-  //! none, selects the first and the last point.
+  //! Selects some of the points `positions`, which are ordered by distance: of those that the
+  //! picture would show if light traveled straight, the first, the last, and the outermost to the
+  //! left, right, top and bottom, because an object's lensed image is stretched most there. If the
+  //! picture would show none, selects the first and the last point of all.
   [[nodiscard]] std::vector<Vector3<double>> ends_shown(const std::vector<Vector3<double>>& positions) const {
     struct Shown {
       Vector3<double> position;
@@ -140,8 +140,8 @@ std::vector<RankedObject> nearest_objects(std::span<const PlacedOutline> objects
   return nearest;
 }
 
-//! Finds the points of disk and shells that a head sees in a direction, and stores them in
-//! `direction`.
+//! Finds the points of disk and shells that a head sees in a direction, without those behind an
+//! object of `hiding`, and whether it sees such an object; stores both in `direction`.
 void find_sights(const Show& show, const EyeCamera& head, const PlacedMeshes& hiding, SeenDirection& direction) {
   direction.sights = near_sights(show, head, direction.view);
   if (hiding.meshes.empty()) {

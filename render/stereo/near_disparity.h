@@ -14,7 +14,8 @@
 
 namespace ergodome {
 
-//! Calls visit(view) for a lattice of directions across an image, in the view's axes.
+//! Calls visit(view) for the directions, in the view's axes, of a lattice of 9 x 9 points across a
+//! picture; omits points that the image does not cover.
 template <class Visit>
 void visit_lattice(const Projection& projection, Visit&& visit) {
   constexpr int lattice = 9;
@@ -29,7 +30,7 @@ void visit_lattice(const Projection& projection, Visit&& visit) {
   }
 }
 
-//! Calls visit(view) for many directions, spread evenly without symmetries.
+//! Calls visit(view) like visit_lattice() for 800 points, spread evenly without symmetries.
 template <class Visit>
 void visit_many(const Projection& projection, Visit&& visit) {
   constexpr std::size_t many = 800;
@@ -68,8 +69,9 @@ std::vector<SeenDirection> seen_directions(const Show& show, const CameraPose& p
                                            const PlacedMeshes& hiding);
 
 //! Adds the disparities of disk, shells and objects where the picture shows them. Of disk and
-//! shells, uses the points in some directions, up to the first opaque one. Of the sixteen nearest
-//! objects, uses the nearest, the farthest and the outermost points that nothing hides.
+//! shells, uses the points in some directions, up to the first opaque one. Of each of the sixteen
+//! nearest objects, uses the nearest, the farthest and the outermost points, also if something
+//! hides them.
 //!
 //! Light must reach both eyes on the short way round the hole, and eye and point must be more than
 //! 2 M from the hole's center. In the model `flat`, things are seen where flat space around the

@@ -51,7 +51,7 @@ void follow(const EyeCamera& head, const Vector3<double>& view, const RadialBoun
   });
 }
 
-//! Finds the sign changes of a function along the ray between successive times of a step.
+//! Calls found(time) for the sign changes of function(time) between successive times of a step.
 template <class Function, class Found>
 void find_crossings(std::span<const double> times, Function&& function, Found&& found) {
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
@@ -74,7 +74,8 @@ std::vector<double> radial_legs(const Step& step) {
   return {0.0, find_root(0.0, step.length, [&](double h) { return side * rate(h); }), step.length};
 }
 
-//! Finds the times at which light reaches the radius `r`.
+//! Calls found(time) for the times of a step at which light is at radius `r`. `legs`:
+//! radial_legs().
 template <class Found>
 void find_radius(const Step& step, std::span<const double> legs, double r, Found&& found) {
   find_crossings(
@@ -86,7 +87,8 @@ class Meetings {
  public:
   Meetings(double min_r, double max_r, double opacity) : min_r_(min_r), max_r_(max_r), opaque_(opacity > 0.9) {}
 
-  //! Adds a meeting point, unless it is at the start of the ray.
+  //! Adds a meeting point, unless it is at the start of the ray or outside the radii. One outside
+  //! the radii counts as the first meeting all the same.
   void add(const Step& step, double h, std::vector<NearSight>& sights) {
     const Vector3<double> position = step.point(h);
     const double r = std::sqrt(dot(position, position));

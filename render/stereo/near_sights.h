@@ -15,7 +15,7 @@ namespace ergodome {
 struct NearSight {
   Vector3<double> position;  //!< pseudo-Cartesian [M]
   double distance;           //!< affine distance from the head [M]
-  bool first;                //!< true at the first crossing of this disk or shell by the light path
+  bool first;                //!< true at the path's first crossing of the shell or disk's plane
   bool opaque;               //!< true if the disk or shell is almost opaque at this point
 };
 
@@ -28,7 +28,7 @@ std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, cons
 double distance_of_objects(const PlacedMeshes& meshes, const EyeCamera& head, const Vector3<double>& view);
 
 //! Returns the affine distance [M] from a head to a point that it sees in a direction of its view;
-//! nothing if light from that direction does not pass the point.
+//! nothing if light from that direction does not pass the point within 0.001 of its radius.
 std::optional<double> distance_of_position(const EyeCamera& head, const Vector3<double>& view,
                                            const Vector3<double>& position);
 

@@ -46,8 +46,8 @@ std::vector<double> times_of_eyes(const Show& show) {
   return times;
 }
 
-//! Returns the time between `before_s` and `after_s` at which the reduction of the baseline begins
-//! [s].
+//! Returns the time between `before_s` and `after_s` at which the reduction of the baseline begins,
+//! accurate to 0.01 s [s].
 double beginning_s(const Show& show, double before_s, double after_s) {
   constexpr double exact_s = 0.01;
   while (after_s - before_s > exact_s) {

@@ -24,11 +24,12 @@ class StereoEye {
 
   [[nodiscard]] EyeCamera camera(const Vector3<double>& view) const { return eye_camera(show_, pose_, position(view)); }
 
-  //! Returns the shift of a direction in an image that already includes convergence, as in the
-  //! model omni.
+  //! Returns the shift t by convergence in the model `omni`, whose image shows at `view` the light
+  //! from the direction of `view` - t; zero in other models.
   [[nodiscard]] Vector3<double> convergence_turn(const Vector3<double>& view) const;
 
-  //! Returns the projection of the eye's image.
+  //! Returns the projection of the eye's image: shifted for convergence, except in the model
+  //! `omni`.
   [[nodiscard]] Projection image(const Projection& projection) const;
 
   //! Returns the direction in which the eye's image shows a thing, by light on the short way round

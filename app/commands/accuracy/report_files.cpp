@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-//! Returns a field of a CSV line, quoted if it contains a separator.
+//! Returns a field of a CSV line, quoted if it contains a comma, a quote or a line break.
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) {
     return text;

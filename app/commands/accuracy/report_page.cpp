@@ -214,7 +214,8 @@ std::string equal_error_text(const AccuracyAxis& axis, double max_px) {
   return text + "</table></div>\n";
 }
 
-//! Returns a table of the time per pass of a frame, for choices that measured it.
+//! Returns an HTML table of the time of each pass of a frame, for the choices for which it was
+//! measured. Empty if it was measured for no choice.
 std::string passes_text(const AccuracyAxis& axis) {
   std::string text;
   for (const Measurement& choice : axis.choices) {

@@ -24,8 +24,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns the color of a method, which is the same in all plots. Other methods cycle through a few
-//! colors.
+//! Returns the color of a method's lines. Listed methods have the same color in all plots; others
+//! cycle through four colors by `number`.
 const char* colour_of(const std::string& method, std::size_t number) {
   constexpr std::array<std::pair<std::string_view, const char*>, 10> known = {{{"conforming grid", "#009e73"},
                                                                                {"quadtree, linear", "#e69f00"},
@@ -42,7 +42,7 @@ const char* colour_of(const std::string& method, std::size_t number) {
   return found != known.end() ? found->second : others[number % others.size()];
 }
 
-//! Smaller errors are negligible and are drawn at these values.
+//! Errors below these values are negligible and are drawn at them.
 constexpr double min_px = 1e-4;
 constexpr double min_percent = 1e-3;
 
@@ -63,8 +63,8 @@ std::string points_of(const AccuracyAxis& axis, FrameCost cost, const std::vecto
   return text;
 }
 
-//! Returns gnuplot's point type of a series: hollow for published methods; a disk or square for
-//! float, a triangle for double.
+//! Returns gnuplot's point type of a series: a triangle for double precision, otherwise a disk, or
+//! for published methods a square; hollow for published methods.
 int point_of(const ReportSeries& series) {
   const bool wide = series.choices.front()->precision == "double";
   return series.published ? (wide ? 8 : 4) : (wide ? 9 : 7);
@@ -119,7 +119,7 @@ int run_gnuplot(const std::filesystem::path& script, const std::filesystem::path
   int status = 0;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
-  // Status 127 is also how a shell reports a missing program.
+  // Status 127 also means that gnuplot is missing: a shell that should start it reports this so.
   return WIFEXITED(status) ? (WEXITSTATUS(status) == 127 ? -1 : WEXITSTATUS(status)) : 1;
 }
 

@@ -71,11 +71,12 @@ constexpr NamedError pixel_errors[] = {
 
 //! Axes with at most this many choices get one sentence per choice.
 constexpr std::size_t few_choices = 5;
-//! The same limit for axes without a method that others are compared with.
+//! The same limit for axes without a base method (AccuracyAxis::base).
 constexpr std::size_t few_without_base = 9;
 
-//! Returns the cost of error levels, one clause per choice, for the smallest error that it
-//! achieves: "errors up to a quarter pixel cost 3 ms per frame (...); ...".
+//! Returns what the errors in `pixel_errors` cost, with the cheapest choice within each: "errors up
+//! to a quarter pixel cost 3 ms per frame (...); ...". If one choice is the cheapest within
+//! consecutive errors, only the smallest of these is named. Empty if no choice is within any.
 std::string cost_sentence(const AccuracyAxis& axis) {
   std::string text;
   for (std::size_t i = 0; i < std::size(pixel_errors); ++i) {
@@ -112,7 +113,7 @@ std::string choice_sentence(const AccuracyAxis& axis, const Measurement& choice)
 
 //! Compares a published method with the base method at equal error: "quadtree, spline (the method
 //! of VE) takes 4.2 times as long as taylor for errors of at most ...". Empty if the method is not
-//! a published one.
+//! a published one, or if it never reaches the error.
 std::string published_sentence(const AccuracyAxis& axis, const EqualErrorRow& row, const NamedError& error) {
   const Measurement* const any = row.choice;
   if (any == nullptr || any->published.empty() || row.ratio.runs == 0) {

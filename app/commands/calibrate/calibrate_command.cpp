@@ -175,8 +175,8 @@ void write_calibration(const CalibrateOptions& options, DomeSetup setup,
   }
 }
 
-//! Returns whether the folder of a file will exist once --out is created: it is that folder or one
-//! of its parents.
+//! Returns whether the folder of a file will exist once the folder `out` is created, because it is
+//! that folder or one of its parents. False if `out` is empty.
 bool is_made_with(const std::filesystem::path& file, const std::filesystem::path& out) {
   const auto plain = [](const std::filesystem::path& folder) {
     return (std::filesystem::absolute(folder) / "").lexically_normal().parent_path();

@@ -8,10 +8,10 @@
 
 namespace ergodome {
 
-//! Returns the action of a key, given by its GLFW number.
+//! Returns the action of a key, given by its GLFW number; `none` if it has no action.
 CalibrationAction calibration_action_of(int key);
 
-//! Returns a line for each key and what it does, beginning with `indent`.
+//! Returns help lines, each of which starts with `indent` and says what one or more keys do.
 std::string calibration_key_lines(const std::string& indent);
 
 //! Tracks the key that is held down and when its action repeats.
@@ -22,7 +22,7 @@ class KeyRepeat {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  //! Records that a key was pressed.
+  //! Records that a key was pressed; its action is first repeated after 400 ms.
   void press(int key, Time now) {
     held_ = key;
     due_ = now + std::chrono::milliseconds(400);
@@ -34,10 +34,10 @@ class KeyRepeat {
     }
   }
 
-  //! Returns the key whose action has to be repeated.
+  //! Returns the held key if its action has to be repeated now.
   [[nodiscard]] std::optional<int> due(Time now) const { return held_ && now >= due_ ? held_ : std::nullopt; }
 
-  //! Records that the action was repeated.
+  //! Records that the action was repeated; the next time is 80 ms later.
   void repeated(Time now) { due_ = now + std::chrono::milliseconds(80); }
 
  private:

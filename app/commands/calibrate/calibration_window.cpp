@@ -115,7 +115,7 @@ void CalibrationWindow::act(CalibrationAction action) {
 void CalibrationWindow::save() {
   try {
     const DomeSetup& setup = state_.setup();
-    // A setup that cannot be shown could not be opened again.
+    // Throws if the setup cannot be shown: once saved, it could not be opened again.
     pictures_.follow(setup, state_.offsets());
     const bool behind = pictures_.leaves_behind(setup);
     state_.note_saved(save_calibration(options_.setup, pictures_.without_outdated(setup), state_.offsets(),

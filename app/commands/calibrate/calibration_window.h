@@ -34,7 +34,8 @@ class CalibrationWindow {
   //! missing.
   explicit CalibrationWindow(const LiveOptions& options);
 
-  //! Runs until the window is closed.
+  //! Runs until a window is closed, `for_seconds` have passed, or the program is interrupted. Then
+  //! writes the screenshots, if requested, and prints a note if changes were not saved.
   void run();
 
  private:
@@ -48,7 +49,8 @@ class CalibrationWindow {
   void report_refusal(const std::string& problem);
   //! Shows the changes that keys have made since the last call.
   void renew();
-  //! Replaces one of the coarse masks that the window started with. Returns false if none is left.
+  //! Computes one of the coarse masks that the window started with at full resolution, and shows
+  //! it. Returns false if none is left.
   bool refine();
   void renew_master();
   bool renew_projectors();

@@ -41,7 +41,8 @@ struct ConvertOptions {
   std::pair<int, int> size = own_size;
 };
 
-//! Kinds of files. A name without an ending is a folder; only kind_of_source() returns `foreign`.
+//! Kinds of files. A name without an ending is a folder. `bourke` and `map` are warps (.data,
+//! .pfm); `foreign` is a warp of another program, and only kind_of_source() returns it.
 enum class FileKind { setup, mpcdi, bourke, map, foreign, folder, other };
 
 FileKind kind_of(const std::filesystem::path& path) {
@@ -125,9 +126,9 @@ std::pair<int, int> map_size(const ConvertOptions& options, const WarpMesh& mesh
   if (mesh.topology == MeshTopology::rectangular) {
     return {mesh.columns, mesh.rows};
   }
-  // Triangles and polar meshes have no columns and rows. Nothing is drawn beyond the outermost
-  // valid samples of a map: with 720 rows, a circle as high as the raster loses about 0.3 % of its
-  // area at the edge.
+  // Triangle and polar meshes have no columns and rows, so the map gets 720 samples on its shorter
+  // side. A map shows nothing beyond its outermost valid samples: with 720 rows, a circle as high
+  // as the raster loses about 0.3 % of its area at the edge.
   constexpr double shorter_side = 720.0;
   const auto side = [](double samples) {
     return static_cast<int>(std::lround(std::min(samples, static_cast<double>(max_mesh_side))));

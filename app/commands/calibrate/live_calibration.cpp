@@ -43,7 +43,8 @@ constexpr Quantity quantities[] = {
 
 const Quantity& quantity_of(Adjustable adjustable) { return quantities[static_cast<std::size_t>(adjustable)]; }
 
-//! Rounds to a thousandth of a step, so that steps back and forth leave no rounding errors.
+//! Rounds a value to a multiple of a thousandth of a step, so that steps back and forth leave no
+//! rounding errors.
 double tidy(double value, double step) {
   const double crumb = 1e-3 * step;
   return std::round(value / crumb) * crumb;
@@ -204,7 +205,7 @@ Renewal LiveCalibration::adjust(const Way& way) {
       return Renewal::master;
     case Adjustable::rotation:
       setup_.rotation_deg = turned(tidy(setup_.rotation_deg + more, step()));
-      // Patterns stay level in a tilted dome, so a new tilt requires a new domemaster.
+      // Patterns stay level in a tilted dome, so a new rotation requires a new domemaster.
       return Renewal::master;
     case Adjustable::viewer:
       return adjust_viewer(way, step());

@@ -9,7 +9,7 @@
 
 namespace ergodome {
 
-//! Actions of keys during the calibration of a dome.
+//! Actions of keys during the calibration of a dome; calibration_keys.cpp describes each.
 enum class CalibrationAction {
   none,
   quit,
@@ -55,7 +55,8 @@ enum class Adjustable {
   gain,
 };
 
-//! Update needed after an action. Each value includes all that follow it.
+//! The update that an action requires: of the pattern on the domemaster, the warps, the projectors'
+//! colors (gamma, black level, gain) or the texts. Each value includes all that follow it.
 enum class Renewal { master, warps, colours, text, nothing };
 
 //! The state of a live calibration: the setup, the selected projector and quantity, and the steps
@@ -69,7 +70,8 @@ class LiveCalibration {
   //! here: the caller does them.
   Renewal press(CalibrationAction action);
 
-  //! Takes over the saved setup, whose warps hold the offsets, and resets the offsets to zero.
+  //! Takes over the saved setup, whose warps contain the offsets, and replaces all grids of offsets
+  //! by grids of 2 x 2 points without offsets.
   void note_saved(DomeSetup setup);
 
   [[nodiscard]] const DomeSetup& setup() const { return setup_; }
@@ -80,16 +82,19 @@ class LiveCalibration {
   [[nodiscard]] bool text_shown() const { return text_shown_; }
   [[nodiscard]] bool keys_shown() const { return keys_shown_; }
 
-  //! Returns whether the setup differs from the one that was last read or saved.
+  //! Returns whether keys have changed a quantity since the setup was last read or saved; an offset
+  //! counts as changed if it is not zero.
   [[nodiscard]] bool unsaved() const;
 
-  //! Returns the selected quantity, its value and its step, one line each.
+  //! Returns three lines: the selected projector, the selected quantity with its value, and the
+  //! step of changes, with "not saved" if unsaved().
   [[nodiscard]] std::string text() const;
 
  private:
   static constexpr int all_colors = -1;
 
-  //! Steps to the right, up the screen and up the dome; each -1, 0 or 1.
+  //! Steps to the right (left and right arrow), up (up and down arrow) and upwards (page up and
+  //! page down, which only raise the viewer); each -1, 0 or 1.
   struct Way {
     int right = 0;
     int up = 0;

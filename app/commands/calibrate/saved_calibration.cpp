@@ -13,8 +13,9 @@ namespace ergodome {
 
 namespace {
 
-//! Scales a mask so that its maximum is 1, and reduces the lift by the same factor: setups limit
-//! the lift, whereas an MPCDI mask is relative to full light.
+//! Divides a mask by its maximum and multiplies the lift by it, so that their product stays the
+//! same: setups limit the lift, whereas an MPCDI mask is relative to full light. Does nothing for
+//! an empty or black mask.
 void put_scale_into_lift(BlendMap& mask, Vector3<double>& lift) {
   const auto largest = mask.values.empty() ? mask.values.end() : std::ranges::max_element(mask.values);
   if (largest == mask.values.end() || !(*largest > 0.0F)) {
@@ -27,8 +28,8 @@ void put_scale_into_lift(BlendMap& mask, Vector3<double>& lift) {
   }
 }
 
-//! Writes a mask, moved by the projector's offsets, as a PNG in the folder of the setup. Returns
-//! its name.
+//! Writes a mask, moved by the projector's offsets, as a 16-bit PNG in the folder of the setup.
+//! Returns `name`.
 std::string write_mask(const std::filesystem::path& folder, const std::string& name, const ProjectorPicture& picture,
                        const BlendMap& mask) {
   BlendMap moved = moved_mask(picture.offsets, in_shape_of(mask, picture.width_px, picture.height_px));
@@ -39,8 +40,8 @@ std::string write_mask(const std::filesystem::path& folder, const std::string& n
 
 void write_black_level(const std::filesystem::path& folder, const std::string& name, const ProjectorPicture& picture,
                        ProjectorSetup& projector) {
-  // The mask of an MPCDI calibration contains the light itself, but setups limit the lift to 0.5:
-  // the remaining factor goes into the mask.
+  // Setups limit the lift to 0.5, but that of an MPCDI calibration may be larger, because its mask
+  // contains the light itself. The excess factor goes into the mask.
   constexpr double max_of_setups = 0.5;
   const Vector3<double>& lift = picture.black_level_lift;
   const double rest = std::max({1.0, lift.x / max_of_setups, lift.y / max_of_setups, lift.z / max_of_setups});
@@ -64,7 +65,8 @@ void require_writable_files(const std::filesystem::path& folder, const std::stri
   }
 }
 
-//! Writes the warp and the masks, moved by the offsets, and names them in the projector.
+//! Writes the warp and the masks, moved by the offsets, and names them in the projector. Writes the
+//! mask of the black level only if there are offsets.
 void write_moved_files(const std::filesystem::path& folder, const std::string& name, const ProjectorPicture& picture,
                        ProjectorSetup& projector) {
   write_text_keeping_older(folder / (name + ".data"),

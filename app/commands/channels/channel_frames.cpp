@@ -59,7 +59,7 @@ class ChannelWriter {
     }
   }
 
-  //! Writes a frame. Returns true if it already existed.
+  //! Writes a frame. With --resume, keeps a complete file of the same request and returns true.
   bool write(int frame) {
     const fs::path path = path_of(frame);
     if (options_.resume && is_there(path, frame)) {
@@ -141,7 +141,7 @@ class ChannelWriter {
     return channels;
   }
 
-  //! Adds the light of the frame.
+  //! Renders the frame and adds its color channels.
   void add_light(const Projection& projection, double time_s, std::vector<PixelChannel>& channels) {
     ViewChoice choice;
     choice.size_px = projection.width_px;

@@ -12,7 +12,8 @@ namespace ergodome {
 
 namespace {
 
-//! Adds a vector in the camera's rest frame, one number per component.
+//! Adds the components of a vector along e_r, e_θ and e_φ, each as an entry. `what` describes the
+//! vector.
 void add_vector(const std::string& name, const std::string& keyword, const std::string& what, const Vector3<double>& v,
                 std::vector<MetadataEntry>& metadata) {
   metadata.push_back({name + "_r", keyword + "_R", v.x, what + ", along e_r"});
@@ -30,7 +31,7 @@ void add_observer(const Show& show, bool moves_as_given, const EyeCamera& eye, s
   add_vector("velocity", "VEL", "velocity / c", at_rest ? Vector3<double>{} : eye.velocity, metadata);
 }
 
-//! Rounds away the rounding errors of rotations from a component of a unit vector.
+//! Rounds a component of a unit vector to 1e-15, which removes the rounding errors of rotations.
 double unturned(double component) { return std::round(1e15 * component) / 1e15 + 0.0; }
 
 void add_axes(const EyeCamera& eye, std::vector<MetadataEntry>& metadata) {

@@ -18,8 +18,8 @@ void add_channel_option(CLI::App& command, RenderOptions& options);
 //! Registers the options that have no effect with --channels.
 void add_channel_rules(const std::shared_ptr<RenderOptions>& options, IgnoredOptions& ignored);
 
-//! Chooses the format of channels if none is given. Throws UsageError if images are to be written
-//! as FITS.
+//! Sets the format to EXR if channels are to be written and no format is given. Throws UsageError
+//! if images are to be written as FITS.
 void choose_number_format(RenderOptions& options, bool format_is_given);
 
 //! Throws UsageError if --channels is incompatible with other options or with the show.

@@ -20,15 +20,16 @@ void add_view_option(CLI::App& command, std::string& view);
 //! Adds --method: the integrator that traces the rays of a heat map.
 void add_method_option(CLI::App& command, std::string& method);
 
-//! Returns the mode with a name of --view.
+//! Returns the mode with this name, which must be one that --view accepts.
 ViewMode view_mode(const std::string& name);
 
-//! Parses the color range of a heat map, "MIN:MAX" (empty: the default). Throws UsageError for
-//! malformed text, and for a view without a range.
+//! Parses the color range of a heat map, "MIN:MAX"; empty text gives nothing, the default range.
+//! `logarithmic_steps`: heat maps of steps have a logarithmic scale. Throws UsageError for
+//! malformed text, for the view `sky`, and for a MIN of 0 or less with a logarithmic scale.
 std::optional<ViewRange> view_range(const std::string& text, ViewMode mode, bool logarithmic_steps);
 
-//! Returns the method with this name (empty: none). Throws Error if the view and the show trace no
-//! rays with it.
+//! Returns the method with this name of --method (empty: none). Throws UsageError unless the view
+//! is a heat map of steps or errors, or if the show's stereo has a camera for each pixel.
 std::optional<TraceMethod> follow_method(const std::string& name, const std::string& view, const Show& show);
 
 }  // namespace ergodome

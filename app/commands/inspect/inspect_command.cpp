@@ -51,7 +51,8 @@ struct InspectOptions {
   int size_px = 1024;
 };
 
-//! Returns the angular width of the shadow along ±φ from the show's camera at a time [deg].
+//! Returns the angular width [deg] of the shadow, seen from the show's camera at a time: the sum of
+//! the edge's angles from the chart's center to both sides, γ = 0 and π.
 double shadow_width_deg(const Show& show, double time_s) {
   const CameraPose pose = camera_pose(show, time_s);
   const ObserverMotion motion = !pose.velocity          ? show.camera.motion
@@ -201,7 +202,8 @@ nlohmann::json summary_of(const EnvironmentImage& image) {
   return summary;
 }
 
-//! Builds the lens grid for a picture of the show, at the show's budget and size.
+//! Builds the lens grid for a picture of the show at a time, at the show's budget and size. Stores
+//! these in `settings`, and counts in `statistics`.
 LensStation grid_of(const Show& show, double time_s, GridSettings& settings, GridStatistics& statistics) {
   const EyeCamera eye = eye_camera(show_at(show, time_s), camera_pose(show, time_s), 0.0);
   settings.pixel = pixel_angle(make_projection(show.view, show.view.size_px, 0.0));
@@ -210,7 +212,7 @@ LensStation grid_of(const Show& show, double time_s, GridSettings& settings, Gri
   return build_lens_station(eye.spacetime, eye.r, eye.theta, settings, &statistics);
 }
 
-//! Draws the grid of a station and adds its statistics to the summary.
+//! Draws the grid of a station to the PNG of --picture and adds its statistics to the summary.
 void inspect_grid(const LensStation& station, double budget_px, const InspectOptions& options,
                   nlohmann::json& summary) {
   write_png(options.picture, draw_grid(station, options.size_px, budget_px), options.size_px, options.size_px);

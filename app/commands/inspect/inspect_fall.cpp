@@ -19,8 +19,8 @@ using nlohmann::json;
 
 constexpr std::size_t max_turns_printed = 24;
 
-//! Returns the speed against the ZAMO; inside the horizon, where there is no ZAMO, against the rain
-//! frame.
+//! Returns the camera's speed [c] relative to the ZAMO; inside the horizon, where there is no ZAMO,
+//! relative to the rain frame.
 double speed_at(const Show& show, double time_s) {
   const CameraPose pose = in_zamo_frame(camera_pose(show, time_s), spacetime_of(show));
   const Vector3<double> v = pose.velocity.value_or(Vector3<double>{});

@@ -4,8 +4,8 @@
 
 namespace ergodome {
 
-//! Throws Error if another command handles this kind of file, or if it belongs to a show or a
-//! setup; the message names the command.
+//! Throws Error if `inspect` does not support this kind of file, such as a catalogue, a warp, a
+//! mesh or a sound; the remedy names the command, show or setup to use it with.
 void require_inspectable(const std::filesystem::path& file);
 
 }  // namespace ergodome

@@ -42,8 +42,9 @@ nlohmann::json summary_of(const ProjectorSetup& projector, const ProjectorPictur
   return summary;
 }
 
-//! Returns a note if a rectangular Bourke mesh fills the height of its raster but not its width, or
-//! exceeds it: it was probably made for another aspect ratio. Otherwise returns an empty text.
+//! Returns a note if a rectangular Bourke mesh is as high as its raster but, on both sides alike,
+//! narrower or wider: it was probably made for another aspect ratio. Otherwise returns an empty
+//! text.
 std::string note_of_shape(const ProjectorSetup& projector, const WarpMesh& mesh) {
   constexpr float tolerance = 0.01F;
   if (!projector.warp || projector.warp->format != WarpFormat::bourke || mesh.topology == MeshTopology::polar) {

@@ -25,7 +25,7 @@ json file_summary(const Show& show, const NamedFile& file, const std::map<std::s
 
 json presence_summary(const Presence& presence) { return {{"from_s", presence.from_s}, {"to_s", presence.to_s}}; }
 
-//! Returns words as printed: on one line, of limited length.
+//! Returns a text as printed: all its languages with their tags on one line, each cut to 200 bytes.
 std::string shown(const LocalText& text) {
   std::string all;
   for (const auto& [tag, words] : text) {

@@ -69,8 +69,8 @@ void take_stars(const Show& show, ShowNotes& notes) {
   }
 }
 
-//! Reads a file as the show's frames need it, by the kind of its key. Throws Error if it cannot be
-//! used.
+//! Reads a file as the show's frames need it, by the kind of its key, and adds findings to `notes`.
+//! Throws Error if it cannot be used.
 void read_as_shown(const Show& show, const NamedFile& file, ShowNotes& notes) {
   if (file.key == "sky.stars") {
     take_stars(show, notes);
@@ -94,7 +94,7 @@ void read_as_shown(const Show& show, const NamedFile& file, ShowNotes& notes) {
   });
 }
 
-//! Returns why a file cannot be used; empty if it can.
+//! Reads a file, adds findings to `notes`, and returns why it cannot be used; empty if it can.
 std::string problem_of(const Show& show, const NamedFile& file, ShowNotes& notes) {
   if (file.key.starts_with("audio")) {
     return sound_problem(fs::path(show.folder) / file.name);
@@ -107,7 +107,8 @@ std::string problem_of(const Show& show, const NamedFile& file, ShowNotes& notes
   return "";
 }
 
-//! Adds notes about objects inside the horizon, if all meshes could be read.
+//! Adds notes about objects inside the horizon. Does nothing if a mesh is missing or could not be
+//! read.
 void add_objects_in_horizon(const Show& show, ShowNotes& notes) {
   const bool readable = std::ranges::all_of(
       show.objects, [&](const ObjectSettings& object) { return object.mesh.empty() || is_there(show, object.mesh); });

@@ -21,10 +21,12 @@ struct MeshSummary {
   std::vector<std::string> remarks;
 };
 
-//! Summarizes a mesh. Reads its textures as frames do; throws Error if one cannot be read.
+//! Summarizes a mesh. Reads the textures whose alpha channel counts, to remark on transparent ones;
+//! throws Error if one cannot be read.
 MeshSummary summary_of_mesh(const std::string& file, const TriangleMesh& mesh);
 
-//! Returns the meshes of a show's objects, each scaled to M by the object's size.
+//! Returns a list of the show's objects that are meshes with a summary in `meshes`. Extents are
+//! scaled to M by the object's size.
 nlohmann::json summary_of_meshes(const Show& show, const std::vector<MeshSummary>& meshes);
 
 void print_meshes(const nlohmann::json& summary);
@@ -47,7 +49,8 @@ struct ShowNotes {
 //! map of 8192 x 4096 takes about a second.
 ShowNotes notes_of_files(const Show& show);
 
-//! Returns the number of stars in a show's catalogue, the columns read, and the rows left out.
+//! Returns the number of stars in a show's catalogue, the columns read, and how many rows were left
+//! out and why, as notes_of_files() found them.
 nlohmann::json summary_of_stars(const Show& show, const ShowNotes& notes);
 
 void print_stars(const nlohmann::json& summary);

@@ -77,10 +77,11 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  //! Returns false if the program stopped reading.
+  //! Writes bytes to the program's input. Returns false if it stopped reading.
   [[nodiscard]] bool write(const char* bytes, std::size_t count) const { return write_all(input_, bytes, count); }
 
-  //! Ends the input, waits for the program to exit, and returns its exit status.
+  //! Ends the input, waits for the program to end, and returns its exit status; -1 if a signal
+  //! ended it.
   int finish() {
     if (!status_) {
       ::close(input_);
@@ -131,8 +132,8 @@ std::string disk_problem(const std::string& messages) {
   return {};
 }
 
-//! Sends the pixels of a frame. Returns false if the program stopped reading. Throws Error if the
-//! frame has another size.
+//! Reads the image file of a frame and sends its pixels to ffmpeg. Returns false if that stopped
+//! reading. Throws Error if the image has another size than `size`.
 bool send(const std::filesystem::path& file, bool alpha, const DisplayPixels& size, const Program& program) {
   const DisplayPixels pixels = alpha ? read_covering_pixels(file) : read_display_pixels(file);
   if (pixels.width != size.width || pixels.height != size.height) {
@@ -185,7 +186,7 @@ long reported_frames(const std::string& report) {
   return frames;
 }
 
-//! Adds ffmpeg's arguments for the input and the codec of the sound.
+//! Adds ffmpeg's arguments for the input and the codec of the sound; "-an" for a silent film.
 void add_sound(const Movie& movie, const std::string& ending, std::vector<std::string>& words) {
   if (movie.sound == nullptr) {
     words.emplace_back("-an");

@@ -34,7 +34,7 @@ void require_movie_encoder(const std::filesystem::path& file);
 //!
 //! .mp4: H.264, or HEVC for frames wider than H.264 decoders accept, 4:2:0, nearly lossless. .mov:
 //! ProRes 4444. .mkv: FFV1, lossless. The last two support alpha. Sound is read from sound_handle
-//! and encoded as AAC in .mp4, otherwise as 24-bit PCM.
+//! (movie.cpp) and encoded as AAC in .mp4, otherwise as 24-bit PCM.
 std::vector<std::string> movie_arguments(const Movie& movie, int width_px, int height_px,
                                          const std::filesystem::path& partial);
 
@@ -42,8 +42,8 @@ std::vector<std::string> movie_arguments(const Movie& movie, int width_px, int h
 //! Error with ffmpeg's last message or the disk error.
 void write_movie(const Movie& movie);
 
-//! Decodes a film completely with ffmpeg. Throws Error if that fails, or if the number of frames
-//! differs from `pictures`.
+//! Decodes a film completely with ffmpeg. Throws Error if that fails or is interrupted, or if the
+//! number of frames differs from `pictures`.
 void check_movie(const Movie& movie);
 
 }  // namespace ergodome

@@ -23,8 +23,8 @@ namespace ergodome {
 
 namespace {
 
-//! Interval at which the show time is evaluated, in sound samples; fades change in steps of this
-//! length.
+//! Interval at which the show time is evaluated, 10 ms in sound samples; fades change in steps of
+//! this length.
 constexpr int step_frames = MovieSound::rate_hz / 100;
 
 Error sound_refused(const std::filesystem::path& folder) {

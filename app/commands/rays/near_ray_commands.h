@@ -28,7 +28,7 @@ struct NearRayOptions {
 struct RayFiles {
   std::string rays;
   std::string out;
-  double tolerance;  //!< tolerance of the integrator; 0: the smallest supported one
+  double tolerance;  //!< tolerance of the integrator; 0: the default, 1e-15
 };
 
 //! Adds --disk, --shell and --objects to a command. Each excludes the others and the options in

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int object_rays_at_a_time = 16;
 
-//! Returns the line of a ray; empty if it hits nothing, nothing if it does not converge.
+//! Returns the line of a ray; an empty text if it hits no object, no value if it does not converge.
 std::optional<std::string> line_of(const RayRow& row, const CameraStation& camera, const ObjectRays& objects,
                                    double tolerance) {
   const std::optional<MeshHit> hit = objects.first_hit(camera, row.direction, tolerance);

@@ -146,8 +146,8 @@ void trace_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t
   append_rays(rows, begin, arrays, table);
 }
 
-//! Reads rows [begin, end), which share a camera, from a lens grid built for it, and appends a line
-//! for each.
+//! Looks up the rays of rows [begin, end), which share a camera, in a lens grid built for it, and
+//! appends a line for each to the table. Prints statistics of the grid.
 void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
                    SkyTable& table) {
   const RayRow& row = rows[begin];
@@ -175,8 +175,8 @@ void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size
       statistics.flagged_leaves, statistics.flagged_px, time.count());
 }
 
-//! Reads rows [begin, end), which share a camera, from the published quadtree grid, and appends a
-//! line for each.
+//! Looks up the rays of rows [begin, end), which share a camera, in the quadtree grid of Verbraeck
+//! & Eisemann (2021), and appends a line for each to the table. Prints statistics of the grid.
 void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
                          SkyTable& table) {
   const RayRow& row = rows[begin];

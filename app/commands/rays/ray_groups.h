@@ -15,14 +15,16 @@ struct GroupedRows {
 };
 GroupedRows grouped_by_camera(std::vector<RayRow> rows);
 
-//! Joins lines, one for each grouped row, in the original order of the rows.
+//! Joins lines, one for each grouped row, in the original order of the rows. `position`:
+//! GroupedRows::position.
 std::string joined_in_place(const std::vector<std::string>& lines, const std::vector<std::size_t>& position);
 
 //! Returns the description of tables in the help of `trace` and `edge`: columns, axes, units.
 std::string ray_table_help();
 
-//! Calls work(begin, end) for each run of rows with one camera. Long runs are split so that
-//! progress and Ctrl-C work. Throws Error when interrupted.
+//! Calls work(begin, end) for each run of consecutive rows with one camera, [begin, end). Runs of
+//! more than a million rows are split so that progress and Ctrl-C work. Throws Error when
+//! interrupted.
 void for_each_camera(const std::vector<RayRow>& rows, const std::function<void(std::size_t, std::size_t)>& work);
 
 }  // namespace ergodome

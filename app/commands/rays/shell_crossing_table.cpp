@@ -44,7 +44,7 @@ struct LineWriter {
   [[nodiscard]] static bool done() { return false; }
 };
 
-//! Returns the lines of a ray; nothing if it does not converge.
+//! Returns the lines of a ray, one for each crossing; nothing if it does not converge.
 std::optional<std::string> lines_of(const RayRow& row, const CameraStation& camera, const ShellTableOptions& options) {
   const NearRay<double> ray = start_near_ray(camera, row.direction);
   const double u = 1.0 / options.r;

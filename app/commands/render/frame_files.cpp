@@ -24,10 +24,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! Metadata key of the automatic exposure of a frame: the stops that were applied [1].
+//! Metadata key of the stops that automatic exposure applied to a frame.
 constexpr const char* followed_stops_metadata = "followed_stops";
-//! Metadata key of the previous frame's stops, from which the exposure continued, or the word for a
-//! restart.
+//! Metadata key of the previous frame's stops, from which the exposure continued; the value is
+//! `anew` if it started again.
 constexpr const char* followed_from_metadata = "followed_from";
 constexpr const char* anew = "anew";
 
@@ -40,7 +40,8 @@ std::optional<double> number_of(const std::string& text) {
                                                                                              : std::nullopt;
 }
 
-//! Maximum number of other frames to check: on a network disk each takes some milliseconds.
+//! Maximum number of frames that asked_otherwise() checks: on a network disk each takes some
+//! milliseconds.
 constexpr std::size_t max_asked_otherwise = 4096;
 
 }  // namespace
@@ -262,8 +263,8 @@ std::filesystem::path FrameFiles::path_of(int frame, FramePart part, std::option
 
 bool FrameFiles::is_there(int frame) const {
   const Show& show = renderer_.show();
-  // The exposure would jump if the frame continued from other stops than those of the frame before
-  // it.
+  // A frame whose exposure continued from other stops than those that the frame before now has
+  // would make the exposure jump, so it counts as missing.
   if (followed_stops() && metadata_of_image(first_file_of(frame), followed_from_metadata) != stops_before(frame)) {
     return false;
   }

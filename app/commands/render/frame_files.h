@@ -21,28 +21,34 @@ namespace ergodome {
 //! Returns the format of the files. Throws Error if the format does not support the compression.
 FrameFormat format_of(const RenderOptions& options);
 
-//! The numbered files of a run's frames: an output that takes each frame at its time in the show.
+//! Writes the frames of a run to numbered files. For each frame, call go_to(), render what wish()
+//! returns, and pass it to take().
 class FrameFiles : public Output {
  public:
-  //! `renderer` renders the frames: files store its numbers. `setup` is the dome whose projectors'
-  //! frames are written instead of the domemaster's; `requests` are the fingerprints stored in the
-  //! files. Options and renderer must outlive this.
+  //! `renderer` renders the frames; its show and exposure go into the files' metadata. With
+  //! `setup`, the pictures of that dome's projectors are written instead of the domemaster.
+  //! `requests` are the fingerprints stored in the files. Creates the output folder. Options and
+  //! renderer must outlive this.
   FrameFiles(const RenderOptions& options, const ShowRenderer& renderer, const ViewChoice& choice,
              const std::optional<DomeSetup>& setup, FrameRequests requests);
 
-  //! Selects the next frame, counted from 0.
+  //! Selects the frame, counted from 0, for wish() and take().
   void go_to(int frame) { frame_ = frame; }
-  //! If automatic exposure cannot continue from the frame before, prints a note.
+  //! Returns the show time of the selected frame. With automatic exposure, if the frame before was
+  //! not the last one wished for, also returns the stops in its file; if that frame is missing or
+  //! has another fingerprint, prints a note.
   [[nodiscard]] OutputWish wish() override;
-  //! Writes the files of the frame that was wished for.
+  //! Writes the files of the selected frame, with a color bar for heat maps.
   void take(OutputFrame& frame) override;
 
-  //! Returns the choices of the pictures, with the size that the files need.
+  //! Returns the constructor's choice for the pictures. For projectors without a given size, its
+  //! size is that of the domemaster that they need.
   [[nodiscard]] const ViewChoice& choice() const { return choice_; }
   [[nodiscard]] const FrameFormat& format() const { return format_; }
   [[nodiscard]] std::filesystem::path path_of(int frame, FramePart part, std::optional<CubeFace> face) const;
 
-  //! Returns whether the files of a frame exist, are complete and have its fingerprint.
+  //! Returns whether the files of a frame exist, are complete and have its fingerprint, and whether
+  //! its automatic exposure continues from the stops that the file of the frame before has.
   [[nodiscard]] bool is_there(int frame) const;
   //! Returns whether a frame of the show exists that has another fingerprint.
   [[nodiscard]] bool was_asked_otherwise(int frame) const;
@@ -55,26 +61,28 @@ class FrameFiles : public Output {
   //! Writes the metadata summary of the frames first to last, extended to adjacent frames with the
   //! same fingerprints.
   void write_metadata(int first, int last) const;
-  //! Removes the frames that this run wrote, and the summary in their folder unless other frames of
-  //! the sequence remain. Returns the number of files.
+  //! Removes the files that this run wrote and that have not changed since. If frames with this
+  //! run's fingerprints remain, the metadata summary is rewritten for them, otherwise removed.
+  //! Returns the number of removed image files.
   int remove();
 
-  //! Returns the size of the files last written [bytes].
+  //! Returns the size of all files of the last frame written [bytes].
   [[nodiscard]] std::uintmax_t bytes() const { return bytes_; }
-  //! Returns the number of pixels in all files of a frame.
+  //! Returns the total number of pixels in the files of one frame.
   [[nodiscard]] std::uintmax_t frame_pixels() const;
-  //! Returns the pixels of all frames whose rays did not converge.
+  //! Returns the number of pixels, in all frames written, whose rays did not converge.
   [[nodiscard]] long unresolved() const { return unresolved_; }
 
  private:
   [[nodiscard]] int eye_width_px() const;
-  //! Returns the stops of automatic exposure; nothing for heat maps and for EXR files, which are
-  //! linear.
+  //! Returns the stops that automatic exposure applied to the last picture; nothing without it, for
+  //! heat maps, and for EXR files, which are linear.
   [[nodiscard]] std::optional<double> followed_stops() const;
-  //! Returns the stops of the frame before, as text; the word for a restart if that frame is
-  //! missing or has another fingerprint.
+  //! Returns the stops in the file of the frame before `frame`, as text; the constant `anew` if
+  //! that frame is missing, has another fingerprint or stores no stops.
   [[nodiscard]] std::string stops_before(int frame) const;
-  //! Returns the first file of a frame.
+  //! Returns the first file of a frame: that of the left eye, the first cube face or the first
+  //! projector, if these have files of their own.
   [[nodiscard]] std::filesystem::path first_file_of(int frame) const;
   [[nodiscard]] FrameMetadata metadata_of(const FrameImage& image, FramePart part) const;
   //! Prints a note, once, if heat maps are too small for their legend.
@@ -87,7 +95,7 @@ class FrameFiles : public Output {
   [[nodiscard]] bool was_asked_alike(int frame) const;
   //! Returns the numbers of the existing frames of this show.
   [[nodiscard]] std::vector<int> lying_there() const;
-  //! Returns the size of each image file of the domemaster.
+  //! Returns the size of each image file, if no projectors' pictures are written.
   [[nodiscard]] ImageSize picture_size() const;
 
   const RenderOptions& options_;
@@ -98,7 +106,7 @@ class FrameFiles : public Output {
   std::optional<ProjectorFrames> projectors_;
   CreatedFiles made_;
   int frame_ = 0;
-  int exposed_ = -1;           //!< the next frame that continues the automatic exposure
+  int exposed_ = -1;           //!< the frame after the last one wished for; needs no stops from files
   std::string followed_from_;  //!< stops of the frame before, as stored in files
   std::uintmax_t bytes_ = 0;
   //! Folders already cleared of files that killed programs left.

@@ -10,7 +10,7 @@ namespace ergodome {
 //! Properties of one file of a frame that its metadata contains.
 struct FrameFile {
   int frame = 0;          //!< counted from 0
-  double baseline = 0.0;  //!< baseline [M]
+  double baseline = 0.0;  //!< the baseline that was applied, which may be reduced [M]
   FramePart part = FramePart::whole;
   std::optional<CubeFace> face{};
   ViewMode mode = ViewMode::sky;

@@ -21,7 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! Returns the names of the referenced files with fingerprints of their contents.
+//! Returns the names of all files that the show, the options and the setup name or imply, each with
+//! a fingerprint of its contents.
 std::string states_of_files(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup) {
   std::string states;
   const auto add = [&](const fs::path& folder, const fs::path& name) {
@@ -63,7 +64,8 @@ bool length_counts(const RenderOptions& options, const Show& show) {
          std::filesystem::exists(fs::path(show.folder) / (show.name + ".trajectory"), problem);
 }
 
-//! Returns the show without the parts that frames do not show, or that only some frames show.
+//! Returns the show without the parts that frames do not show (chapters, sound), or that only some
+//! frames show (captions), and without its length unless length_counts().
 Show drawn_part(const RenderOptions& options, Show show) {
   show.timeline.captions.clear();
   show.timeline.chapters.clear();

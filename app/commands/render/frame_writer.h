@@ -20,8 +20,7 @@ class FrameWriter {
   FrameWriter(const RenderOptions& options, const Show& show, const std::optional<DomeSetup>& setup,
               FrameRequests requests);
 
-  //! Renders and writes a frame, counted from 0. With --resume, keeps a frame that has the same
-  //! fingerprint.
+  //! Renders and writes a frame, counted from 0. With --resume, keeps it if FrameFiles::is_there().
   void write(int frame);
 
   //! Encodes the frames first to last as films: one, or one for each eye with its own files. With

@@ -11,14 +11,16 @@ namespace ergodome {
 //! written. Does nothing without --movie.
 void require_movie(const RenderOptions& options, const Show& show);
 
-//! Prints a note about stereo information that the film cannot store.
+//! Prints a note if the film is an .mp4, whose halved color resolution blurs one eye, and the show
+//! separates the eyes by color.
 void report_movie_losses(const RenderOptions& options, const Show& show);
 
-//! Returns the file of the film of a part of the frames. With the layout `separate`, each eye has
-//! its own film: FILE_L and FILE_R.
+//! Returns the path of the film of a part of the frames: `file` for whole frames, with _L or _R
+//! added to its stem for a single eye.
 std::filesystem::path movie_path(const std::filesystem::path& file, FramePart part);
 
-//! Returns the parts of frames that have separate films.
+//! Returns the parts of frames that get a film each: the left and the right eye with the layout
+//! `separate`, otherwise the whole frame.
 std::vector<FramePart> movie_parts(const Show& show);
 
 }  // namespace ergodome

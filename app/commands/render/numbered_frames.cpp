@@ -12,7 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-//! Parses the number in NAME_000001... and returns it counted from 0.
+//! Parses the number in NAME_000001... and returns it counted from 0; nothing if `file` does not
+//! begin so.
 std::optional<int> number_in_name(const std::string& file, const std::string& name) {
   if (!file.starts_with(name + "_")) {
     return std::nullopt;

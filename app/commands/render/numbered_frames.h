@@ -7,9 +7,9 @@
 
 namespace ergodome {
 
-//! Returns the numbers, from 0 and sorted, of the frames of a name in a folder or in its subfolders
-//! of ten thousand frames each. Ignores files in other locations than `path_of` gives for their
-//! number.
+//! Returns the frame numbers, counted from 0 and sorted, of the files NAME_000001... in a folder
+//! and in its subfolders of ten thousand frames (frame_path()). Ignores files whose path is not the
+//! one that `path_of` gives for their number.
 std::vector<int> numbered_frames(const std::filesystem::path& folder, const std::string& name,
                                  const std::function<std::filesystem::path(int)>& path_of);
 

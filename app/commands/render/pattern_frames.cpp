@@ -14,7 +14,8 @@ namespace ergodome {
 
 namespace {
 
-//! Draws a pattern for a stereo layout, as one picture or as two.
+//! Draws a pattern for a stereo layout: as two pictures if the layout keeps the eyes apart
+//! (keeps_eyes_apart()), otherwise as one.
 std::vector<FrameImage> pattern_images(TestPattern pattern, const Projection& projection,
                                        const StereoSettings& stereo) {
   if (stereo.layout == StereoLayout::mono) {

@@ -15,7 +15,8 @@ struct PatternFrames {
   int size_px = 0;  //!< width of one eye's picture; 0: the show's
 };
 
-//! Writes NAME.png for each pattern, with both eyes in the show's stereo layout. Returns the number
+//! Writes a file for each pattern, named after it, in the format of `frames`. Eyes are arranged as
+//! in the show's stereo layout; those of `separate` are in the folders L and R. Returns the number
 //! of files.
 int write_pattern_frames(const PatternFrames& frames, const Show& show);
 

@@ -15,8 +15,8 @@ struct RunFrameCost {
   std::uintmax_t bytes = 0;
 };
 
-//! Minimum duration [s] of the first frame of a run to count as measured; the first frame also
-//! prepares data that all frames share.
+//! If the first frame of a run takes at least this time [s], the cost of a run is estimated from
+//! it, otherwise from the next: the first frame also prepares data that all frames share.
 inline constexpr double slow_frame_s = 2.0;
 
 //! Describes the time and disk space of a run: "1,800 frames, about 1 s each: 30 min, 1.1 GB".
@@ -27,15 +27,15 @@ std::string run_cost_text(long frames, const RunFrameCost& frame);
 std::string room_note(const std::string& folder, const std::string& what, std::uintmax_t needed_bytes,
                       std::uintmax_t left_bytes);
 
-//! Returns the free bytes on the disk of a folder, or of its first parent that exists. Throws
+//! Returns the free bytes on the disk of a folder, or of its nearest parent that exists. Throws
 //! std::filesystem::filesystem_error.
 std::uintmax_t free_bytes(const std::filesystem::path& folder);
 
-//! Returns the smallest expected ratio of compressed to uncompressed size of a frame, before any is
-//! written; 1 for uncompressed EXR.
+//! Returns the assumed minimum ratio of compressed to uncompressed size of a frame: 1 for
+//! uncompressed EXR, otherwise 0.1.
 double min_compressed_part(const FrameFormat& format);
 
-//! Returns the uncompressed size of pictures with this total number of pixels.
+//! Returns the uncompressed size of pictures with this total number of pixels [bytes].
 std::uintmax_t uncompressed_bytes(const FrameFormat& format, std::uintmax_t pixels);
 
 //! A frame and its cost.

@@ -20,8 +20,8 @@ namespace {
 
 using Metadata = nlohmann::ordered_json;
 
-//! Returns a number of the show in these frames. For an animated number, returns its first, last,
-//! least and greatest values.
+//! Returns the number of the show with the key `path`: `unchanging` if it is not animated,
+//! otherwise its first, last, least and greatest values in these frames.
 Metadata number_in(const Show& show, const char* path, double unchanging, FrameSpan frames) {
   const Animation* const animation = find_animation(show, path);
   if (animation == nullptr) {
@@ -113,7 +113,8 @@ void add_format(const FrameFormat& format, Metadata& metadata) {
   }
 }
 
-//! Returns the files of a frame: one, or one for each eye or each face of a cube.
+//! Returns the files of a frame: one, or a list with one for each eye or cube face that has files
+//! of its own.
 Metadata files_of(const Show& show, const FrameFormat& format, int frame) {
   const bool separate = show.stereo.layout == StereoLayout::separate;
   std::vector<std::string> files;

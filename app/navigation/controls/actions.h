@@ -60,7 +60,8 @@ enum class KeyAction {
   leave_exhibit
 };
 
-//! Users of an action: visitors with a controller reach theirs without a keyboard.
+//! Who may use an action in an exhibit: also visitors, or only presenters. The defaults bind every
+//! action of visitors to a button of a controller.
 enum class ActionUser { visitor, presenter };
 
 //! Names of an action in files and in the help.
@@ -81,7 +82,7 @@ std::span<const ActionNames> all_actions();
 struct SteerNames {
   double Steering::*component;
   const char* name;
-  const char* inputs;  //!< default inputs, with a sign or a factor in front
+  const char* inputs;  //!< default inputs, separated by blanks, some with a sign or factor in front
   const char* english;
   const char* german;
 };

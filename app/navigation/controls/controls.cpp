@@ -19,8 +19,8 @@ unsigned modifiers_of(const std::set<int>& held_keys) {
   return held;
 }
 
-//! Returns whether a held steering key acts with these modifiers. Shift requests speed and is
-//! ignored.
+//! Returns whether a steering key is held, with exactly the modifiers that it is bound with. An
+//! additional Shift requests speed and is ignored.
 bool steers(const Input& input, const std::set<int>& held_keys, unsigned modifiers) {
   if (!held_keys.contains(input.code)) {
     return false;

@@ -41,12 +41,12 @@ class Controls {
   [[nodiscard]] SteeringInput steering(const std::set<int>& held_keys, const MouseState& mouse,
                                        const PadState& pad) const;
 
-  //! Returns the actions of a key pressed while others are held.
+  //! Returns the actions of a key that is pressed with the modifiers among the held keys.
   [[nodiscard]] std::vector<KeyAction> pressed(int key, const std::set<int>& held_keys) const;
   //! Returns the actions of the controller buttons pressed between two states.
   [[nodiscard]] std::vector<KeyAction> pressed(const PadState& before, const PadState& now) const;
-  //! Return the actions of a mouse button, counted from 0, and of a step of the wheel, up if
-  //! positive.
+  //! Return the actions of a mouse button, counted from 0, and of a motion of the wheel, up if
+  //! positive: the bound action once for each whole step, at most 20 times.
   [[nodiscard]] std::vector<KeyAction> mouse_pressed(int button) const;
   [[nodiscard]] std::vector<KeyAction> wheel_turned(double steps) const;
 

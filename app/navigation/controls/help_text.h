@@ -19,8 +19,8 @@ struct HelpChoice {
   HelpForm form = HelpForm::columns;
 };
 
-//! Returns bindings as text: keys and mouse, controller, current action; columns are for monospaced
-//! fonts. Omits actions without inputs.
+//! Returns a list of all actions and steering: inputs of keyboard and mouse, inputs of controllers,
+//! and what they do. Omits actions without inputs.
 std::string help_text(const Controls& controls, const HelpChoice& choice);
 
 }  // namespace ergodome

@@ -17,7 +17,8 @@ namespace {
 struct Read {
   HidField field;
   enum class As { axis, hat, numbered_button, button_array, button } as = As::axis;
-  //! Index of the raw axis or of the (first) numbered button, or the PadButton.
+  //! By `as`: index of the raw axis, index of the numbered button (from 0), number of the array's
+  //! first button (from 1), or the PadButton; unused for a hat.
   std::size_t index = 0;
 };
 
@@ -29,7 +30,7 @@ class TriggerRest {
 
   //! Takes a value and sets the range of the axis accordingly. Returns whether the range changed.
   bool take(std::int32_t value, RawAxis& axis) {
-    // The rest position is uncertain by an eighth of the whole range.
+    // Rest positions may deviate from the middle by an eighth of the whole range.
     const std::int64_t below = std::int64_t{middle_} - value;
     rests_at_least_ = rests_at_least_ || 4 * below > std::int64_t{middle_} - minimum_;
     axis.centre = rests_at_least_ ? minimum_ : middle_;

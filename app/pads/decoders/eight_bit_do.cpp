@@ -8,10 +8,11 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t old_length = 9;
-constexpr std::size_t min_new_length = 15;  //!< minimum length of a report: up to the battery level
+//! Of a report of the new layout: up to the battery level.
+constexpr std::size_t min_new_length = 15;
 constexpr std::size_t max_new_length = 64;
 
-//! Reads reports in 8BitDo's layouts; all others are read by the descriptor.
+//! Reads reports in 8BitDo's two layouts; `otherwise_`, if any, reads all others.
 class EightBitDo : public PadDecoder {
  public:
   explicit EightBitDo(std::unique_ptr<PadDecoder> otherwise) : otherwise_(std::move(otherwise)) {

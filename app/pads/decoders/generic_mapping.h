@@ -8,13 +8,13 @@
 
 namespace ergodome {
 
-//! Returns whether a HID application collection is a joystick (usage 1:4), a game pad (1:5) or a
-//! multi-axis controller (1:8).
+//! Returns whether any application collection of a HID device is a joystick (usage 1:4), a game pad
+//! (1:5) or a multi-axis controller (1:8).
 bool has_pad(const HidLayout& hid);
 bool is_pad_usage(const HidUsage& usage);
 
-//! Returns whether a HID application collection is a multi-axis controller (usage 1:8), such as a
-//! 3D mouse.
+//! Returns whether any application collection of a HID device is a multi-axis controller (usage
+//! 1:8), such as a 3D mouse.
 bool is_puck(const HidLayout& hid);
 
 //! Returns the name of an axis: "x" to "rz", "slider", "dial", "wheel", "throttle", "brake", ...;
@@ -22,7 +22,7 @@ bool is_puck(const HidLayout& hid);
 const char* generic_axis_name(const HidUsage& usage);
 
 //! Returns the button with a specific usage: the four of a directional pad, and those of
-//! Microsoft's controllers on the consumer page.
+//! Microsoft's controllers on the consumer page; nothing for other usages.
 std::optional<PadButton> generic_button(const HidUsage& usage);
 
 //! Maps raw axes by their names (generic_axis_name()) and ranges: two sticks and the triggers of a
@@ -30,8 +30,9 @@ std::optional<PadButton> generic_button(const HidUsage& usage);
 //! axes of a 3D mouse.
 void map_generic_axes(const HidLayout& hid, std::vector<RawAxis>& axes);
 
-//! Returns the meaning of HID buttons 1, 2, ...: the order of Android and Linux for game pads with
-//! at least 15 buttons and pedals as triggers, otherwise Logitech's.
+//! Returns the meaning of HID buttons 1 to `count`: for 3D mice the order of space_mouse.cpp; for
+//! game pads with at least 15 buttons and pedals as triggers the order of Android and Linux;
+//! otherwise Logitech's.
 std::vector<std::optional<PadButton>> generic_buttons(const HidLayout& hid, std::size_t count);
 
 }  // namespace ergodome

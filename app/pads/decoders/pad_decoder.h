@@ -16,7 +16,7 @@ enum class PadReport {
   state,    //!< the controller's state
   other,    //!< a known report without a state, such as a battery level or the answer to a request
   absent,   //!< a receiver reports that it has no controller
-  changed,  //!< the layout changed
+  changed,  //!< the controller's state, and the ranges in layout() changed
   refused   //!< unknown id, wrong length or wrong checksum
 };
 
@@ -52,12 +52,13 @@ class PadDecoder {
 //! Returns a state with all raw axes at rest and no button pressed.
 RawPad at_rest(const RawLayout& layout);
 
-//! Returns whether a device is a supported controller, joystick or 3D mouse, according to its
-//! vendor, product and usages.
+//! Returns whether a device is a controller, joystick or 3D mouse by its usages; if these are not
+//! reported, whether its vendor and product are known.
 bool is_pad(const HidDeviceInfo& info);
 
-//! Makes the decoder of a controller. Returns null if its reports cannot be read (`descriptor` is
-//! empty or has no axes).
+//! Makes the decoder of a controller: that of its model if vendor and product are known, otherwise
+//! one from `descriptor`. Returns null if the device is not a controller, or if the descriptor is
+//! needed and is malformed or has no axis or button of a controller.
 std::unique_ptr<PadDecoder> make_pad_decoder(const HidDeviceInfo& info, std::span<const std::uint8_t> descriptor);
 
 }  // namespace ergodome

@@ -64,7 +64,8 @@ inline void press_hat_and_face(RawPad& pad, std::uint8_t byte) {
              {{0x10, PadButton::west}, {0x20, PadButton::south}, {0x40, PadButton::east}, {0x80, PadButton::north}});
 }
 
-//! Presses the buttons of the byte that follows in those reports.
+//! Presses the buttons of the byte that follows that of press_hat_and_face() in reports: shoulders,
+//! triggers, select, start, and sticks.
 inline void press_shoulders(RawPad& pad, std::uint8_t byte) {
   press_bits(pad, byte,
              {{0x01, PadButton::left_shoulder},
@@ -89,7 +90,8 @@ inline void press_android_face(RawPad& pad, std::uint8_t byte) {
               {0x80, PadButton::right_shoulder}});
 }
 
-//! Presses the next eight in that order, without the triggers.
+//! Presses select, start, guide and the buttons of the sticks, from the byte that follows that of
+//! press_android_face(). Ignores the triggers in its lowest two bits.
 inline void press_android_middle(RawPad& pad, std::uint8_t byte) {
   press_bits(pad, byte,
              {{0x04, PadButton::select},

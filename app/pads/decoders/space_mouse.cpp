@@ -62,7 +62,7 @@ class SpaceMouse : public PadDecoder {
     return PadReport::state;
   }
 
-  //! Reads the left and right buttons, and further ones of larger models in order.
+  //! Reads the first eight buttons: left, right, then those of larger models in order.
   static PadReport take_buttons(ReportBytes report, RawPad& pad) {
     if (report.size() < 2 || report.size() > 16) {
       return PadReport::refused;

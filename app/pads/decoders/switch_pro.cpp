@@ -23,7 +23,7 @@ Pair pair_at(ReportBytes bytes, std::size_t at) {
   return {bytes[at] | ((bytes[at + 1] & 0x0F) << 8), (bytes[at + 1] >> 4) | (bytes[at + 2] << 4)};
 }
 
-//! Rest position and range of a stick, from three pairs.
+//! Rest position of a stick, and distances from it to the upper and lower ends of its range.
 struct StickRange {
   Pair centre;
   Pair above;
@@ -226,7 +226,8 @@ class SwitchPro : public PadDecoder {
   HidBus bus_;
   RawLayout layout_;
   bool streams_ = false;
-  bool user_left_ = false;  //!< the user's calibration has priority over the factory's
+  //! A user's calibration was read, which has priority over the factory's.
+  bool user_left_ = false;
   bool user_right_ = false;
 };
 

@@ -9,7 +9,8 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t xbox_old_length = 16;
-//! Lengths for One S with newer firmware and Series X|S; Elite 2 depending on firmware.
+//! Lengths of reports in the newer layout [bytes]: of One S with newer firmware, Series X|S, and
+//! Elite 2 depending on firmware.
 constexpr std::array<std::size_t, 5> new_lengths = {17, 19, 33, 39, 55};
 
 //! Microsoft's controllers over Bluetooth; over USB they are not HID devices. Axes have 16 bits

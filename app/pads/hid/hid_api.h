@@ -19,7 +19,7 @@ struct HidUsage {
   bool operator==(const HidUsage&) const = default;
 };
 
-//! A connected device, which may lack permissions.
+//! A connected device, which the user may lack permission to open.
 struct HidDeviceInfo {
   std::string path;
   std::uint16_t vendor = 0;

@@ -15,7 +15,7 @@ struct HidField {
   std::uint32_t bit_offset = 0;  //!< from the report's first bit, after the id
   std::uint8_t bits = 0;         //!< number of bits, 1 to 32
   HidUsage usage;                //!< for an array: the usage of value `minimum`
-  //! Logical minimum; a value outside [least, greatest] means that the field has no value.
+  //! Logical minimum. A value outside [minimum, maximum] means that the field has no value.
   std::int64_t minimum = 0;
   std::int64_t maximum = 0;
   bool is_array = false;     //!< its value selects a usage: that of `minimum`, or a later one
@@ -32,9 +32,9 @@ struct HidLayout {
   std::map<std::uint8_t, std::uint32_t> report_bits;
 };
 
-//! Parses a report descriptor; ignores outputs and features. Throws Error if it is longer than 4096
-//! bytes, ends in the middle of an item, has an input of more than 32 bits or a report of more than
-//! 64 KiB, or is nested too deeply.
+//! Parses a report descriptor; ignores outputs and features. Throws Error if it is malformed,
+//! longer than 4096 bytes or nested too deeply, or has an input of more than 32 bits or a report of
+//! more than 64 KiB.
 HidLayout parse_hid_descriptor(std::span<const std::uint8_t> descriptor);
 
 //! Returns the value of a field in a report; signed if `minimum` is negative. `data` starts after

@@ -9,7 +9,8 @@ namespace ergodome {
 //! surrounding blanks and invalid characters; returns "" for a null pointer.
 std::string text_of(const wchar_t* text);
 
-//! Cleans text that is already UTF-8, from a fixture, in the same way as text_of().
+//! Removes ASCII control characters and surrounding blanks from UTF-8 text of a fixture, and uses
+//! at most its first 480 bytes.
 std::string without_controls(std::string_view text);
 
 }  // namespace ergodome

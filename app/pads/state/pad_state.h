@@ -72,7 +72,7 @@ struct RawAxis {
   //! "left_x"; for a device known only by its descriptor, the HID usage: "x", "rz", "slider".
   std::string name;
   std::int32_t minimum = 0;
-  std::int32_t centre = 0;  //!< rest position of a stick; unused for triggers
+  std::int32_t centre = 0;  //!< rest position; for triggers, the same as `minimum`
   std::int32_t maximum = 0;
   std::optional<PadAxis> axis;  //!< nothing: controls nothing by default
   bool inverted = false;        //!< the raw value decreases as the axis increases

@@ -19,7 +19,7 @@ using TimeSource = std::function<MonotonicTime()>;
 //! Returns the time of the machine's steady clock.
 MonotonicTime steady_time();
 
-//! Rounds seconds to the nearest nanosecond. NaN becomes 0; values are clamped to 4e9 s.
+//! Rounds seconds to the nearest nanosecond. NaN becomes 0; values are clamped to ±4e9 s.
 ShowTime show_time(double seconds);
 
 //! Converts to the nearest double.
@@ -36,7 +36,7 @@ struct ShowInstant {
   MonotonicTime now{};     //!< when the clock was read
   ShowTime time{};         //!< show time
   std::int64_t frame = 0;  //!< frame of the show, from 0
-  std::int64_t pass = 0;   //!< number of loop restarts since the last jump
+  std::int64_t pass = 0;   //!< loop restarts since the last jump, negative if played backward
   double speed = 0.0;      //!< show seconds per second; 0: paused
   bool playing = false;
   long jumps = 0;  //!< number of times that the time was set
@@ -63,14 +63,14 @@ class ShowClock {
   //! Sets the speed, a factor from -1000 to 1000 with a resolution of 2^-32. Ignores NaN.
   void set_speed(double speed);
   void set_loop(bool loop);
-  //! Replaces the show by another version; keeps time and speed.
+  //! Replaces the show by another version. Keeps the speed, and the time within the new duration.
   void set_show(double duration_s, double frame_rate_hz);
 
   //! Returns the current instant. Without a loop, stops at the ends.
   ShowInstant read();
 
   //! Records that the picture of an instant was shown. Frames skipped since the last one count as
-  //! dropped.
+  //! dropped, unless the time was set in between.
   void note_shown(const ShowInstant& instant);
   [[nodiscard]] long dropped_frames() const { return dropped_frames_; }
 
@@ -86,9 +86,9 @@ class ShowClock {
   __extension__ using Fixed = __int128;
 
   [[nodiscard]] static Fixed fixed(ShowTime time) { return Fixed{time.count()} * (Fixed{1} << 32U); }
-  //! Makes time run from the current position.
+  //! Advances the position to `now` if the show plays, in a loop or up to its ends.
   void anchor(MonotonicTime now);
-  //! Sets the time, within the show.
+  //! Sets the time, limited to the show; in a loop, its end becomes its start. Counts as a jump.
   void jump(ShowTime time);
   void stop_at_ends();
   [[nodiscard]] std::int64_t frames_a_pass() const;

@@ -22,7 +22,8 @@ namespace {
 
 mpg123_handle* handle_of(void* handle) { return static_cast<mpg123_handle*>(handle); }
 
-//! Clamps a sample; floating-point files may contain any value.
+//! Clamps a sample to [-4, 4], and replaces NaN and infinity by 0; floating-point files may contain
+//! any value.
 float tame(float sample) { return std::isfinite(sample) ? std::clamp(sample, -4.0F, 4.0F) : 0.0F; }
 
 std::string first_bytes(const std::filesystem::path& path, std::size_t count) {

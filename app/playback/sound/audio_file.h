@@ -48,8 +48,8 @@ class AudioFile {
  public:
   static constexpr int max_channels = 8;
 
-  //! Throws Error if it is not a sound file, has no length, more than 8 channels or a rate outside
-  //! 8 to 192 kHz, or does not support seeking.
+  //! Throws Error if it is not a sound file of a supported format, is a chain of Ogg streams, has
+  //! no length, more than 8 channels or a rate outside 8 to 192 kHz, or does not support seeking.
   explicit AudioFile(const std::filesystem::path& path);
   ~AudioFile();
   AudioFile(const AudioFile&) = delete;

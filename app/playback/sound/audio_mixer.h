@@ -27,7 +27,7 @@ struct Soundtrack {
 };
 
 //! Returns the volume factor of a track at a time of the show from its gain and fades; 0 if it does
-//! not play.
+//! not play. `length_s` is the length of its file; a show of duration 0 is endless.
 double track_gain(const AudioTrack& track, double length_s, double show_duration_s, double time_s);
 
 //! Plays a show's tracks on an output. All calls are on one thread.

@@ -11,7 +11,8 @@ class AudioOutput {
  public:
   //! Opens the default device; returns nullptr if there is none.
   static std::unique_ptr<AudioOutput> open_device();
-  //! Opens a stereo output in memory, which `render` fills as fast as it is called.
+  //! Opens a stereo output in memory, from which `render` returns the sound. Throws Error if the
+  //! audio library does not support that.
   static std::unique_ptr<AudioOutput> open_memory(int rate_hz);
 
   ~AudioOutput();

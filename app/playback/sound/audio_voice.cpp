@@ -21,7 +21,8 @@ constexpr double tolerable_s = 0.01;
 constexpr double lost_s = 0.15;
 constexpr double steering_s = 1.0;
 constexpr double max_steering = 0.01;
-//! Pause between two restarts, for a machine that cannot keep up.
+//! Minimum time from a start to a restart, for a machine that cannot keep up; a fifth of it if the
+//! sound was never in sync since the start.
 constexpr auto rest = std::chrono::milliseconds(500);
 constexpr std::size_t first_buffers = 3;
 
@@ -47,7 +48,7 @@ Layout layout_of(int channels) {
   }
 }
 
-//! Reduces interleaved channels to two.
+//! Returns the first two of interleaved channels; repeats a single channel.
 std::vector<float> to_stereo(const std::vector<float>& samples, int channels) {
   const auto width = static_cast<std::size_t>(channels);
   std::vector<float> stereo;

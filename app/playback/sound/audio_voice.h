@@ -68,7 +68,8 @@ class AudioVoice {
   void queue(unsigned int buffer);
   //! Returns how far the sound is ahead of the request [s].
   [[nodiscard]] double measure(const Wish& wish) const;
-  //! Returns the change of speed that restores synchronization, or restarts.
+  //! Returns the relative change of speed, at most 1 %, that corrects a small offset. Corrects a
+  //! larger one by a restart, and then returns 0.
   double keep_in_step(const Wish& wish, double latency_s);
   [[nodiscard]] double wished_now_s(const Wish& wish) const;
 

@@ -55,7 +55,8 @@ class WindowOutput : public DisplayOutput {
 
   Window window_;
   Presenter presenter_;
-  std::optional<ImageSize> last_size_;        //!< size before the window was minimized, if it is minimized
+  //! Size of the window; if it is minimized, its size before; absent at first.
+  std::optional<ImageSize> last_size_;
   EyesInWindow eyes_ = EyesInWindow::as_one;  //!< arrangement of the eyes in the last picture
   EyeGrid grid_;                              //!< arrangement of the last picture's eyes in a grid
   LaidCaptions captions_;

@@ -33,8 +33,9 @@ Show bare_path(const Show& scene) {
   return show;
 }
 
-//! Gives a path a fall past the given moments and adds their marks; the first is where the keys
-//! release the camera. Returns nothing if no such fall exists.
+//! Gives the path of `show` a fall through the given moments, and adds marks to `marks`: first of
+//! the point where the keys release the camera, then of the moments after it. Returns nothing if no
+//! such fall exists.
 std::optional<RecordedFall> add_fall(const std::vector<FallMoment>& moments, Show& show, std::vector<PathMark>& marks) {
   const double before_s = marks.empty() ? moments.front().time_s - shortest_s : marks.back().key.time_s;
   std::optional<RecordedFall> fall = recorded_fall(spacetime_of(show), moments, before_s);
@@ -90,8 +91,8 @@ bool is_one_fall(const FlightSample& before, const FlightSample& after) {
          falls_on(before.spacetime, moment_of(before), moment_of(after));
 }
 
-//! Returns the falling part of a flight. All three members are the number of samples if nothing
-//! falls so far.
+//! Returns the falling part of a flight. All three members are the number of samples if none is
+//! beyond return.
 FallingPart falling_part(const std::vector<FlightSample>& samples) {
   const auto at = static_cast<std::size_t>(std::ranges::find_if(samples, is_beyond) - samples.begin());
   FallingPart part = {at, at, at};

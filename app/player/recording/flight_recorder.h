@@ -36,8 +36,9 @@ struct RecordedPath {
 //! Records a flight as the camera path of a show.
 class FlightRecorder {
  public:
-  //! Adds a sample. Ignores samples whose time does not increase, or with a non-finite position or
-  //! velocity. Keeps at most thirty per second, for an hour; then it is full.
+  //! Adds a sample. Ignores samples whose time does not increase, with a non-finite pose, or with a
+  //! velocity not below that of light. Keeps at most thirty per second, for an hour; then it is
+  //! full.
   //!
   //! After a fall is beyond return, the recording ends at the first sample that is not later on the
   //! same orbit around the same hole: no path of a show leads elsewhere from there.
@@ -53,13 +54,13 @@ class FlightRecorder {
   //! Returns whether the recording has ended, by leaving a fall through the horizon or by end().
   [[nodiscard]] bool ended() const { return ended_; }
 
-  //! Returns the flight with as few camera keys as possible: camera_pose() of them is within the
+  //! Returns the flight with few camera keys (min_keys()): camera_pose() of them is within the
   //! tolerance of every sample. The first is at 0 s. They have velocities unless all samples have
   //! the scene's observer.
   //!
   //! If the camera fell through the horizon, the keys control its position only up to the beginning
-  //! of that fall, and afterwards only its orientation. The path ends there if the beginning cannot
-  //! be found, or if the hole had another spin than the scene's.
+  //! of that fall, and afterwards only its orientation. The path ends before the first sample
+  //! beyond return if no beginning can be found, or if the hole had another spin than the scene's.
   [[nodiscard]] RecordedPath path(const Show& scene, const RecordTolerance& tolerance = {}) const;
 
  private:

@@ -16,7 +16,7 @@ std::optional<long> record_number(const std::filesystem::path& record, const std
 std::filesystem::path next_record(const std::filesystem::path& record);
 
 //! Removes the recordings with the lowest numbers, keeping the last `maximum`. Ignores files that
-//! cannot be removed.
+//! cannot be removed. Throws Error if the folder cannot be read.
 void remove_oldest_records(const std::filesystem::path& record, std::size_t maximum);
 
 }  // namespace ergodome

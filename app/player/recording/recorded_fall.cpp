@@ -79,7 +79,8 @@ struct ProperTimeAt {
   double proper_time;
 };
 
-//! Returns a piecewise linear clock with as few keys as keep the proper times within the tolerance.
+//! Returns keys of a clock rate [M/s] that is constant between them, as few as keep the proper
+//! times within the tolerance. The rate is 0 after the last time.
 std::vector<NumberKey> clock_through(const std::vector<ProperTimeAt>& times) {
   std::vector<NumberKey> keys;
   std::size_t from = 0;

@@ -17,14 +17,15 @@ struct FallMoment {
 
 //! A fall as the table [camera.fall] of a show stores it, with its clock.
 struct RecordedFall {
-  CameraKey start;  //!< where the keys release the camera; its angles are not set
+  //! Where the keys release the camera; recorded_fall() does not set its yaw, pitch and roll.
+  CameraKey start;
   FallSettings settings;
   //! Keys of camera.fall.clock: they match the proper times at all moments to 1e-8 M.
   std::vector<NumberKey> clock;
 };
 
 //! Returns whether free fall leads from the first moment to the second: energy, angular momentum
-//! and Carter constant are equal, and proper time does not decrease.
+//! and Carter constant are equal within 1e-6, and proper time does not decrease.
 bool falls_on(Spacetime spacetime, const FallMoment& before, const FallMoment& after);
 
 //! Returns the fall through the given moments of one orbit. It begins at the first moment; if the

@@ -42,8 +42,8 @@ enum class PictureNews { none, picture, problem, hang };
 
 //! Brings pictures to a screen; they are rendered on another thread.
 //!
-//! On the CPU, pictures are as wide as time allows while something moves (at least 10 per second),
-//! and get finer when nothing moves. On a GPU, each picture is rendered at full size.
+//! On the CPU, pictures are as wide as ten or more per second allow while something moves, and get
+//! finer when nothing moves. On a GPU, each picture is rendered at full size.
 class PictureFlow {
  public:
   //! `show` passes a finished picture to the screen, on the caller's thread. `finest_px` is the
@@ -76,7 +76,7 @@ class PictureFlow {
   FrameSource source_;
   bool pending_ = true;       //!< a change was not requested yet
   bool refining_ = false;     //!< the last picture is current but may become finer
-  int moving_size_px_ = 256;  //!< width that gives ten pictures per second
+  int moving_size_px_ = 256;  //!< width at which a picture takes about `moving_budget_ms`
   int asked_size_px_ = 0;
   SecondsSource now_;
   std::optional<PictureHold> hold_;

@@ -9,7 +9,7 @@ namespace ergodome {
 namespace {
 
 constexpr int view_light_px = 96;
-//! Half of the first step of an 8-bit sRGB display.
+//! Linear light above which a pixel counts as lit: half of the first step of an 8-bit sRGB display.
 constexpr float darkest_lit = 0.5F / 255.0F / 12.92F;
 
 }  // namespace

@@ -17,7 +17,8 @@ struct PlayerFrame {
   ObserverView observer;
   ViewMode mode = ViewMode::sky;
   double field_of_view_deg = 0.0;
-  std::optional<double> path_time_s;  //!< position on the show's path; absent off the path
+  //! Show time of the pose on the show's path; absent off the path.
+  std::optional<double> path_time_s;
   StereoSettings stereo;
   double exposure_stops = 0.0;  //!< exposure stops in addition to the show's
   std::string language;

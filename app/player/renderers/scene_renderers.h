@@ -29,8 +29,8 @@ class SceneRenderers {
   //! Returns whether such a version is being loaded.
   [[nodiscard]] bool renews() const { return loader_.loads_version(); }
 
-  //! Discards the current renderer, which failed or hung, and starts to make another one unless one
-  //! is being made.
+  //! Discards the current renderer, which failed or hung, and starts to make another one, unless
+  //! another version is being loaded.
   void lose(const Show& show);
 
   //! Takes what was made for `show`, or for another version of it; called once per frame. Reports

@@ -105,7 +105,8 @@ std::string plain_tag(std::string tag) {
   return without_case(tag);
 }
 
-//! Returns the show's tag for a language, or for a wider language ("de" for "de-AT").
+//! Returns the show's tag for a language, or for a wider language ("de" for "de-AT"). Throws Error
+//! if it has neither.
 std::string checked_language(std::string_view location, const CommandArgument& argument,
                              const std::vector<std::string>& spoken) {
   const std::string tag = language_of(location, argument);

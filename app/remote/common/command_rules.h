@@ -12,7 +12,7 @@ namespace ergodome {
 //! The argument of a command.
 enum class Argument {
   none,
-  number,        //!< within [least, greatest]
+  number,        //!< within [minimum, maximum] of the rule
   whole,         //!< an integer within the range; default 1
   flag,          //!< true or false, 1 or 0
   language_tag,  //!< letters, digits, - and _

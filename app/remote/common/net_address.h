@@ -83,7 +83,8 @@ Descriptor bound_socket(int type, const NetAddress& address, const std::string& 
 //! Returns the address of a bound socket, with its actual port after binding to port 0.
 NetAddress local_address(int socket);
 
-//! Returns the addresses at which other machines can reach this one, without link-local ones.
+//! Returns the addresses at which other machines can reach this one, without IPv6 link-local ones.
+//! Their ports are 0.
 std::vector<NetAddress> outward_addresses();
 
 }  // namespace ergodome

@@ -35,7 +35,8 @@ steady_clock::time_point after(steady_clock::time_point from, double seconds) {
   return from + std::chrono::duration_cast<steady_clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-//! Returns how long a message has to wait until its time tag [s]; 0 if that is past.
+//! Returns how long a message has to wait until its time tag [s]; 0 if that is past. Throws Error
+//! if it is more than `longest_wait_s` ahead.
 double wait_s(const OscMessage& message, const OscInstant& now) {
   const double wait = message.time == osc_at_once ? 0.0 : osc_difference_s(message.time, now.of_day);
   if (wait > OscHandler::longest_wait_s) {
@@ -57,7 +58,8 @@ std::string meant_word(const std::string& address) {
   return ours ? last : "";
 }
 
-//! Returns the rule of the command that an address names.
+//! Returns the rule of the command that an address names. Throws Error, with a suggestion, if it
+//! names none.
 const CommandRule& rule_at(const std::string& address) {
   const CommandRule* const rule = address.starts_with(root) ? rule_of(address.substr(root.size())) : nullptr;
   if (rule == nullptr) {
@@ -256,6 +258,7 @@ void OscHandler::follow_clock(const OscMessage& message, const OscInstant& now) 
 namespace {
 
 //! Returns the address for a subscriber's feedback: [host,] port, or the sender of the message.
+//! Throws Error for another host, unless the sender is on this machine.
 NetAddress subscriber_address(const OscMessage& message, const NetAddress& from) {
   expect_at_most(message, 2);
   if (message.arguments.empty()) {

@@ -50,8 +50,8 @@ class OscHandler {
              std::vector<NetAddress> listed = {})
       : commands_(commands), board_(board), listeners_(std::move(listeners)), subscribers_(std::move(listed)) {}
 
-  //! Executes a packet and returns the answers. Answers to untrusted hosts are never longer than
-  //! the packet. Never throws because of a packet.
+  //! Executes a packet and returns the answers. If its sender is not trusted, they are together at
+  //! most as long as the packet. Never throws because of a packet.
   std::vector<OscDatagram> receive(std::span<const std::byte> packet, const NetAddress& from, const OscInstant& now);
 
   //! Executes scheduled commands that are due and returns feedback that is due.

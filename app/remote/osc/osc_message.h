@@ -8,7 +8,8 @@
 
 namespace ergodome {
 
-//! An OSC argument: integers and floats become numbers, strings and symbols texts, nil nothing.
+//! An OSC argument: integers and floats become numbers, T and F Booleans, strings and symbols
+//! texts, nil and infinitum nothing.
 using OscArgument = std::variant<std::monostate, bool, double, std::string>;
 
 //! Time of an OSC bundle: seconds since 1900 in the upper 32 bits, their fraction in the lower

@@ -13,7 +13,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns the period of a time. Nonces of the current and the previous period are valid.
+//! Returns the number of the half minute that contains a time. Nonces of the current and the
+//! previous half minute are valid.
 std::int64_t period_of(OscSubscribers::Instant now) {
   return now.time_since_epoch() / (OscSubscribers::nonce_lifetime / 2);
 }

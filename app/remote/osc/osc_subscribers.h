@@ -30,8 +30,8 @@ class OscSubscribers {
   //! Returns whether answers to a host may be longer than its messages.
   [[nodiscard]] bool is_trusted(const NetAddress& host) const;
 
-  //! Returns the nonce that an address has to send back within a minute: from 1 to 2^24 - 1, exact
-  //! as a float.
+  //! Returns the nonce that an address has to send back: from 1 to 2^24 - 1, exact as a float. It
+  //! is valid for at least half a minute and at most a minute.
   [[nodiscard]] std::int32_t nonce(const NetAddress& to, Instant now) const;
   [[nodiscard]] bool is_nonce(double number, const NetAddress& to, Instant now) const;
 

@@ -35,8 +35,8 @@ class HttpStream : public httplib::Stream {
   void refuse(std::string_view answer);
   void close() { socket_.reset(); }
 
-  //! Waits for the next request, as long as an idle connection may be kept, and reads its head.
-  //! Returns false if there is none, or none that deserves an answer.
+  //! Waits up to `idle_time` for the next request and reads its head, without headers that the page
+  //! does not need. Returns false if none comes, or if its head is too long, too slow or malformed.
   bool read_head(std::chrono::milliseconds idle_time);
 
   //! Returns whether a body follows, according to the last head.

@@ -26,7 +26,7 @@ enum class WebVerdict {
   //! The URL's token is valid: it is moved to a cookie, so that it disappears from the address bar.
   welcome_by_url,
   no_token,    //!< 401
-  wrong_site,  //!< 403: another web site sent the request through a browser on this machine
+  wrong_site,  //!< 403: sent by a page of another site, or for an unknown host name
   wrong_type   //!< 415
 };
 
@@ -48,7 +48,7 @@ class WebGuard {
   //! in any of its locations.
   [[nodiscard]] bool has_token(std::string_view head) const;
 
-  //! Returns the header Set-Cookie that stores the token.
+  //! Returns the value of the header Set-Cookie that stores the token in a browser for a year.
   [[nodiscard]] std::string set_cookie() const;
 
  private:

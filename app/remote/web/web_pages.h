@@ -19,7 +19,7 @@ namespace ergodome {
 //! caller supplies connections.
 class WebPages : private httplib::Server {
  public:
-  //! Limit for clients on this machine, and the same again for all others.
+  //! Maximum number of event streams to clients on this machine, and of those to all others.
   static constexpr int max_event_streams = 12;
   static constexpr std::chrono::milliseconds event_interval{100};
 

@@ -40,8 +40,9 @@ enum class MpcdiVersion { one, two };
 //! Origin of the coordinates of 3D data.
 enum class MpcdiOrigin { unknown, centre_of_mass, ideal_eye_point, floor_centre };
 
-//! A projector's position in the coordinates of the file, and the directions of these coordinates:
-//! orthonormal axes of yaw (down), pitch (right) and roll (forward).
+//! A projector's position in the coordinates of the file, and three orthonormal vectors in these
+//! coordinates, about which the projector's yaw, pitch and roll rotate: they point down, right and
+//! forward.
 struct MpcdiFrame {
   Vector3<double> position{};
   Vector3<double> yaw_axis{};
@@ -67,7 +68,7 @@ struct MpcdiGeometry {
   MpcdiOrigin origin = MpcdiOrigin::unknown;
 };
 
-//! An alphaMap or betaMap, whose values are decoded to linear light with this gamma.
+//! An alphaMap or betaMap. Its values to the power of `gamma_embedded` are linear light.
 struct MpcdiMask {
   BlendMap map;
   double gamma_embedded = 1.0;

@@ -31,9 +31,9 @@ SurfaceMesh surface_of(const Mpcdi& mpcdi, const MpcdiRegion& region, const std:
 //! front, that of yaw down (VESA MPCDI 2.0, 2.2.2), and lengths have the unit of its 3D data.
 ProjectorPose pose_of(const MpcdiRegion& region);
 
-//! Returns the lens of a region: a fisheye if an extension defines one, otherwise its frustum. The
-//! field of view of a fisheye is the widest in which its polynomial increases; skew and anamorphic
-//! ratio are ignored.
+//! Returns the lens of a region: a fisheye if an extension defines one, otherwise its frustum, if
+//! any. The field of view of a fisheye is the widest in which its polynomial increases; skew and
+//! anamorphic ratio are ignored.
 Lens lens_of(const MpcdiRegion& region);
 
 //! Returns a region of profile 2d that covers its whole buffer: the warp as a map of the given

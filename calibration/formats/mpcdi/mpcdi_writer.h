@@ -9,8 +9,8 @@ namespace ergodome {
 
 //! Returns a calibration as the bytes of an archive, in its version and profile;
 //! parse_mpcdi_archive() reads it back unchanged. Maps begin with the bottom row. Throws Error,
-//! which names `name`, if a region lacks what the profile requires (an alpha mask, a frustum, a
-//! frame), or if two regions have the same id.
+//! which names `name`, if a region lacks what the profile requires (a warp, a frustum, a frame), or
+//! if an id is empty or used twice.
 //!
 //! A region without a warp or mask gets an empty <path>, like that of programs that transfer these
 //! in other ways.

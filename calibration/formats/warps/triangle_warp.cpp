@@ -13,8 +13,8 @@ namespace ergodome {
 
 namespace {
 
-//! A triangle as a part of a grid cell. Its bits state which corners of the cell it has: bits 0 and
-//! 1 in the first row, 2 and 3 in the second.
+//! A triangle as a part of a grid cell. The bits of `corners` state which corners of the cell it
+//! has: bits 0 and 1 those in the first row, bits 2 and 3 those in the second.
 struct CellPart {
   std::size_t cell;  //!< index of the cell's first node
   unsigned corners;

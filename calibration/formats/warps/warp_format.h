@@ -31,8 +31,8 @@ std::optional<WarpFormat> warp_format_of(const std::filesystem::path& path);
 //! Returns the first warp_head_bytes of a file; fewer if it is shorter, none if it cannot be read.
 std::string head_of_file(const std::filesystem::path& path);
 
-//! Returns true if the setup must state which image the warps of a format refer to. EasyBlend files
-//! may contain a view, which then takes precedence.
+//! Returns true if the files of a format do not state which image their warps refer to, so that the
+//! setup may. EasyBlend files may contain a view, which then takes precedence.
 bool has_no_source_size(WarpFormat format);
 
 //! Returns the format for a file extension (such as ".pfm", in any case); nothing if it is unknown.

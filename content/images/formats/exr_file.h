@@ -9,8 +9,9 @@
 namespace ergodome {
 
 //! Returns what is wrong with the attributes of an OpenEXR file. It finds attributes that claim
-//! more bytes than the file has, all of which OpenEXR would allocate. Returns an empty text for a
-//! correct file and for other formats. Source: OpenEXR, "File Layout".
+//! more bytes than the file has, which OpenEXR would allocate, and sizes that do not fit the
+//! attribute's type. Returns an empty text for a correct file and for other formats. Source:
+//! OpenEXR, "File Layout".
 std::string problem_of_exr(const NextBytes& next, std::uintmax_t file_bytes);
 
 //! One part of an OpenEXR file.
@@ -31,8 +32,8 @@ struct ExrLayer {
 };
 
 //! Returns the layers of a file that can be shown, in the file's order, of a stereo file only those
-//! of the first view. In a file of several parts, plain channels form a layer with the name of
-//! their part.
+//! of the first view. If several layers have plain channels (R, G, B), each gets the name of its
+//! part. A part with one channel of another name is a gray layer.
 std::vector<ExrLayer> exr_layers(const std::vector<ExrPart>& parts);
 
 //! Returns the layer with a name, which is its last word or its full name in any case. For an empty

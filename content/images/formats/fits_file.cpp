@@ -67,7 +67,7 @@ std::string message_of(int status) {
   return text.data();
 }
 
-//! Appends a header and its data to an open file.
+//! Adds checksums to the current header and its data, and appends both to an open file.
 void append_unit(std::ofstream& to, const FitsMemory& memory, int& status) {
   fits_write_chksum(memory.file(), &status);
   const std::span<const char> bytes = memory.unit(status);

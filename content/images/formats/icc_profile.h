@@ -12,8 +12,8 @@ namespace ergodome {
 //! without these checks. Source: ICC.1:2022, 7.3 and 10.
 std::string problem_of_icc_profile(std::string_view profile);
 
-//! Checks the ICC profiles in an image file of any format but OpenEXR as problem_of_icc_profile()
-//! does.
+//! Checks the ICC profiles in an image file of any format as problem_of_icc_profile() does.
+//! Radiance and OpenEXR files count as having none.
 std::string problem_of_icc_profiles(const ImageBytes& file);
 
 }  // namespace ergodome

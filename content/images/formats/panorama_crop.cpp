@@ -73,7 +73,7 @@ PanoramaCrop read_panorama_crop(std::string_view bytes) {
             pixels(description, "CroppedAreaImageWidthPixels"),
             pixels(description, "CroppedAreaImageHeightPixels"),
             ""};
-    // Panoramas without a crop have none of these properties.
+    // A panorama counts as uncropped if one of these properties is missing or invalid.
     if (crop.full_width < 1 || crop.full_height < 1 || crop.left < 0 || crop.top < 0 || crop.width < 1 ||
         crop.height < 1) {
       crop = {};

@@ -43,8 +43,9 @@ struct PngColors {
   std::optional<std::array<double, 8>> primaries;  //!< cHRM: xy of red, green, blue and white
 };
 
-//! Reads the color chunks of a PNG, up to its pixels. Ignores damaged chunks and files of other
-//! formats. Source: Portable Network Graphics (third edition), 11.3.2.
+//! Reads the color chunks of a PNG, up to its pixels. Ignores chunks of the wrong length and files
+//! of other formats; does not verify checksums. Source: Portable Network Graphics (third edition),
+//! 11.3.2.
 PngColors read_png_colors(const NextBytes& next);
 
 //! Returns the uncompressed ICC profile of a PNG, at most 16 MiB and up to its first damaged byte;

@@ -59,7 +59,8 @@ class Input final : public ImageInput {
     if (asked.separate_alpha) {
       wishes.attribute("oiio:UnassociatedAlpha", 1);
       if (memory != nullptr) {
-        // With a configuration, readers get the memory proxy only from it.
+        // If a configuration is passed, readers take the memory proxy only from it, not from the
+        // argument of open().
         wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, static_cast<const void*>(&memory));
       }
     }

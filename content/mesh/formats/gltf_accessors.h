@@ -43,16 +43,17 @@ struct GltfNumbers {
   }
 };
 
-//! Returns the number of entries of an accessor. Checks that its buffer contains them, but reads
-//! none.
+//! Returns the number of entries of an accessor without reading them. Throws Error if its buffer
+//! does not contain them, or if it has more than 4 million entries but no buffer.
 std::size_t gltf_count(const GltfFile& file, int accessor);
 
-//! Reads an accessor of any component type: normalized integers become fractions, others numbers
-//! (glTF 2.0, 3.6.2 and KHR_mesh_quantization). Sparse entries replace those of the buffer, or
-//! zeros without a buffer. Throws Error if its buffer does not contain its bytes.
+//! Reads an accessor of any component type: normalized integers become fractions, other integers
+//! keep their values (glTF 2.0, 3.6.2 and KHR_mesh_quantization). Sparse entries replace those of
+//! the buffer, or zeros without a buffer. Throws Error if its buffer does not contain its bytes.
 GltfNumbers gltf_numbers(const GltfFile& file, int accessor);
 
-//! Reads an accessor of integers: indices, joints.
+//! Reads an accessor of unsigned integers, such as vertex indices. Throws Error for other component
+//! types and for normalized integers.
 std::vector<std::uint32_t> gltf_whole_numbers(const GltfFile& file, int accessor);
 
 }  // namespace ergodome

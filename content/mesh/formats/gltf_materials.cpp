@@ -140,7 +140,8 @@ std::string_view kind_of(const tinygltf::Image& image) {
                                                                : "";
 }
 
-//! Returns an image that is embedded in the mesh's file.
+//! Returns an image that is embedded in the mesh's file, with a name for messages. Throws Error if
+//! its format is not PNG, JPEG or WebP.
 MeshImage image_inside(const GltfFile& file, const tinygltf::Image& image, int index) {
   const std::string_view kind = kind_of(image);
   if (kind.empty()) {
@@ -153,7 +154,8 @@ MeshImage image_inside(const GltfFile& file, const tinygltf::Image& image, int i
           std::make_shared<const std::string>(image.image.begin(), image.image.end()), ""};
 }
 
-//! Returns the image of a texture: PNG or JPEG if available, else WebP; -1 if none is supported.
+//! Returns the index of a texture's image: its `source` if it has one, else that of
+//! EXT_texture_webp; -1 if it has neither.
 int source_of(const tinygltf::Texture& texture) {
   const Value* const webp = extension(texture.extensions, webp_texture);
   return texture.source >= 0 || webp == nullptr ? texture.source

@@ -7,7 +7,7 @@
 
 namespace ergodome {
 
-//! A node of the scene that has a mesh.
+//! A mesh of the scene and the node that places it; -1 in a file without nodes.
 struct GltfInstance {
   int node;
   int mesh;

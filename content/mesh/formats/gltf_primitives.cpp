@@ -23,7 +23,7 @@ using tinygltf::Accessor;
 using Triangle = std::array<std::uint32_t, 3>;
 
 //! Reads an attribute of a primitive for all its vertices; empty if the primitive does not have it.
-//! Throws Error for another number of entries, or of components outside [fewest, most].
+//! Throws Error unless it has `count` entries of `min_count` to `maximum` components.
 GltfNumbers attribute(const GltfFile& file, const std::map<std::string, int>& attributes, const std::string& name,
                       std::size_t count, int min_count, int maximum) {
   const auto found = attributes.find(name);
@@ -149,7 +149,8 @@ class Placer {
     return vertex;
   }
 
-  //! Returns true if the transform reverses the orientation of triangles (mirroring).
+  //! Returns true if the node's transform reverses the orientation of triangles (mirroring). Always
+  //! false with a skin.
   [[nodiscard]] bool mirrors() const {
     return placement_.joints.empty() && glm::determinant(glm::dmat3(placement_.world)) < 0.0;
   }

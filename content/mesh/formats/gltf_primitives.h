@@ -12,7 +12,7 @@ namespace ergodome {
 struct GltfPlacement {
   glm::dmat4 world;
   std::vector<glm::dmat4> joints;      //!< matrices of the joints of a skin; empty without a skin
-  const std::vector<double>* weights;  //!< weights of the morph targets
+  const std::vector<double>* weights;  //!< weights of the morph targets; null: no morphing
 };
 
 //! Adds the triangles of a primitive to a mesh. Ignores points and lines.

@@ -142,7 +142,7 @@ void require_known_extensions(const GltfFile& file) {
 }
 
 //! Throws Error if the file is not glTF 2, requires an unsupported extension, or is a GLB with a
-//! second buffer that has no data.
+//! buffer after the first that has no URI and therefore no data.
 void require_readable(const GltfFile& file, bool binary) {
   if (!file.model.asset.version.starts_with("2.")) {
     throw Error(file.location, fmt::format("is glTF {}, which is not supported", first_line(file.model.asset.version)),

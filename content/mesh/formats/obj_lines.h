@@ -33,7 +33,7 @@ class ObjLines {
 std::string_view take_word_of(std::string_view& text);
 
 //! Removes the next word of a text and parses it as a number. Returns false, and leaves the text
-//! unchanged, if the whole word is not a number.
+//! unchanged, unless the whole word is a number.
 bool take_number(std::string_view& text, double& number);
 
 //! Removes the quotes that some programs write around a name.

@@ -37,8 +37,8 @@ void add_obj_materials(std::string_view text, ObjMaterials& materials);
 //! blanks.
 ObjTexture obj_texture(std::string_view text);
 
-//! Returns the names in an mtllib statement: one name with blanks if that file exists, else one
-//! name per word.
+//! Returns the names in an mtllib statement: one name if it is quoted or a file with that name,
+//! blanks included, exists; else one name per word, at most 64.
 std::vector<std::string> library_names(std::string_view rest, const std::filesystem::path& folder);
 
 }  // namespace ergodome

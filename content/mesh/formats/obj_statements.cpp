@@ -20,7 +20,8 @@ namespace ergodome {
 namespace {
 
 constexpr const char* face_remedy = "export the mesh again";
-//! Maximum work of triangulation: the sum over all faces of the squared number of corners.
+//! Maximum work of triangulation: the sum of the squared number of corners over all faces with more
+//! than four.
 constexpr double max_cutting_work = 1e9;
 
 //! Reads the statements of a file line by line.
@@ -99,8 +100,8 @@ void ObjStatementReader::read_statement(std::string_view keyword, std::string_vi
   }
 }
 
-//! Reads one or two texture coordinates. Non-finite ones, such as 1.#QNAN from Windows programs,
-//! become 0.
+//! Reads up to two texture coordinates. Missing and non-finite ones, such as 1.#QNAN from Windows
+//! programs, become 0. Throws Error for other words.
 void ObjStatementReader::read_texture(std::string_view rest) {
   std::array<float, 2> at{};
   for (float& coordinate : at) {
@@ -215,8 +216,8 @@ int ObjStatementReader::material_number(std::string_view name) {
   return at->second;
 }
 
-//! Throws Error if the file is truncated within a face. A file truncated between faces is a smaller
-//! valid mesh.
+//! Throws Error if the last line is a face with fewer than three corners: the file is truncated. A
+//! file truncated between faces is a smaller valid mesh.
 void ObjStatementReader::check_end(std::string_view text) const {
   const std::size_t line = text.find_last_of("\r\n");
   std::string_view last = line == std::string_view::npos ? text : text.substr(line + 1);

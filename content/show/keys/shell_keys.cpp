@@ -13,8 +13,7 @@ namespace {
 
 std::string name_of(std::size_t shell) { return fmt::format("shells[{}]", shell); }
 
-//! Returns true if the number `key` of a shell is 0 at all times. `value`: its value if it is not
-//! animated.
+//! Returns true if a number of a shell is 0 and not animated. `value` is its value, `key` its name.
 bool is_never(const Show& show, const ShellSettings& shell, double value, const char* key) {
   const auto i = static_cast<std::size_t>(&shell - show.shells.data());
   return value <= 0.0 && find_animation(show, fmt::format("{}.{}", name_of(i), key)) == nullptr;

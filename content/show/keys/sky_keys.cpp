@@ -15,7 +15,8 @@ constexpr auto layout_keys = keys_of<MapLayout>(
     key<&MapLayout::middle_deg>("middle_deg", "Longitude in the middle of the image.")
         .range(-360.0, 360.0, "deg")
         .before([](TomlTable& /*table*/, MapLayout& layout) {
-          // The middle of the built-in map, the galactic center, or the vernal equinox.
+          // The default is 270°, as in the built-in map, or 0°: the galactic center or the vernal
+          // equinox.
           layout.middle_deg = layout.coordinates == MapCoordinates::equatorial ? MapLayout{}.middle_deg : 0.0;
         })
         .page({.otherwise = "270 for equatorial, else 0"}),

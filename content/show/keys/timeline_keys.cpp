@@ -28,7 +28,8 @@ constexpr auto unset_fades = [](const TomlTable& /*table*/, Presence& presence) 
 
 constexpr auto set_fades = [](const TomlTable& table, Presence& presence) {
   const double there_s = presence.to_s - presence.from_s;
-  // Fades without a given duration use the remaining time.
+  // A fade without a duration lasts 0.5 s, but at most half of the whole time and what the other
+  // fade leaves.
   const auto usual = [&](double other_s) {
     return std::clamp(there_s - other_s, 0.0, std::min(usual_fade_s, 0.5 * there_s));
   };
@@ -152,7 +153,8 @@ constexpr auto check_order_of_chapters = [](TomlTable& root, const Timeline& tim
 };
 
 constexpr auto keys_of_timeline = keys_of<Timeline>(
-    // read_animations() reads them when the limits of their numbers are known.
+    // Only marks the key as known. read_animations() reads the animations later, when the limits of
+    // their numbers are known.
     table<&Timeline::animations>("animate", animation_keys).by([](TomlTable& root, Timeline& /*timeline*/) {
       root.node("animate");
     }),

@@ -98,9 +98,9 @@ NumberLimits values_of(const Show& show, std::string_view path) {
   return {fixed, fixed};
 }
 
-//! Throws Error unless the number `lower` stays below the number `upper` by at least `gap` at all
-//! times. The ranges over the whole show are compared, so that they must not overlap even if they
-//! are reached at different times.
+//! Throws Error if one of the numbers is animated and `lower` does not stay below `upper` by at
+//! least `gap`. The ranges over the whole show are compared, so that they must not overlap even if
+//! they are reached at different times.
 void check_order(const TomlTable& root, const Show& show, std::string_view lower, std::string_view upper, double gap) {
   const double highest = values_of(show, lower).maximum;
   const double lowest = values_of(show, upper).minimum;

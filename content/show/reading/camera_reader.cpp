@@ -111,7 +111,8 @@ constexpr auto write_camera_keys = [](toml::table& table, const CameraSettings& 
 // read_camera() reads these tables in its own order, because they depend on the animated spin.
 constexpr auto read_later = [](TomlTable& /*table*/, CameraSettings& /*camera*/) {};
 
-//! Returns true if the show's observer would have to be faster than light there.
+//! Returns true if the show's observer would have to be faster than light there; never for
+//! ObserverMotion::rain.
 bool outruns_light(const CameraSettings& camera, Spacetime spacetime, double r, double theta) {
   const Vector3<double> v = observer_velocity(camera.motion, spacetime, r, theta, camera.velocity);
   return !(dot(v, v) < 1.0) && camera.motion != ObserverMotion::rain;
@@ -121,8 +122,9 @@ const char* observer_word(const CameraSettings& camera) {
   return camera.motion == ObserverMotion::fixed ? "a static" : "an orbiting";
 }
 
-//! Sets the velocity of a key with a position from its table. Throws Error if only some keys have a
-//! velocity.
+//! Sets the velocity of a key outside a fall, if its table has one. Throws Error if only some keys
+//! have a velocity, if a key has one in a show whose fall ends, or if it is too close to the speed
+//! of light.
 void take_velocity(TomlTable& table, const std::string& file, const Show& show, CameraKey& key) {
   const WrittenMotion written = read_motion(table, "velocity", file, {});
   if (!show.camera.keys.empty() && table.has("velocity") != show.camera.keys.front().velocity.has_value()) {
@@ -145,7 +147,8 @@ void take_velocity(TomlTable& table, const std::string& file, const Show& show, 
   key.velocity = v;
 }
 
-//! Throws Error if a key is not later than the keys before it, or follows a fall too closely.
+//! Throws Error unless a key is at least min_key_gap_s later than the previous key and its hold,
+//! and than the end of a fall before it.
 void check_time(const TomlTable& table, const CameraSettings& camera, const CameraKey& key) {
   if (!camera.keys.empty()) {
     const CameraKey& before = camera.keys.back();

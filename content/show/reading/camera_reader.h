@@ -8,9 +8,10 @@
 
 namespace ergodome {
 
-//! Reads a show's [camera] table, which may be absent. The show's hole and its animations must have
-//! been read. Throws Error with file, line and remedy for mistakes in the table, keys inside the
-//! horizon, and keys or path segments on which the observer would be faster than light.
+//! Reads a show's [camera] table (nullptr if absent, which is an error), and computes its fall. The
+//! hole, the animations and the fall (read_fall()) must have been read. Throws Error with file,
+//! line and remedy for mistakes in the table, keys inside the horizon, and keys or path segments on
+//! which the observer would be faster than light.
 void read_camera(const toml::table* table, const std::string& file, Show& show);
 
 //! Throws Error if an animated spin would put the camera inside the horizon. Checks this at the

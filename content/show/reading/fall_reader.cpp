@@ -50,8 +50,8 @@ void check_end(const TomlTable& table, const Show& show) {
   }
 }
 
-//! Throws Error unless the camera's clock stops outside the outer horizon, or between the two
-//! horizons.
+//! Throws Error unless least_r is 0, or between the outer horizon and the beginning of the fall, or
+//! between the two horizons; the latter only for a fall without an end.
 void check_rest(const TomlTable& table, const Show& show, double begin_r) {
   const FallSettings& fall = *show.camera.fall;
   const double horizon = horizon_radius(spacetime_of(show));

@@ -7,18 +7,19 @@
 
 namespace ergodome {
 
-//! Reads [camera.fall], before the animation of its clock is read; does nothing if it is absent. A
-//! velocity that is the observer's is set later. Throws Error with file, line and key for invalid
-//! values.
+//! Reads [camera.fall] except its velocity, which let_fall() reads; does nothing if it is absent.
+//! Call it before read_animations(), which may animate its clock. Throws Error with file, line and
+//! key for invalid values.
 void read_fall(const toml::table* camera, const std::string& file, Show& show);
 
 //! Sets the position of a key during a fall to that of the previous key, because such keys only
 //! define the orientation. Throws Error if its table has a position.
 void take_position_of_fall(const TomlTable& table, const CameraKey& before, CameraKey& key);
 
-//! Computes the fall of a camera whose keys, and all other numbers of the show, have been read.
-//! Throws Error if there is no key when it begins, if it would begin faster than light or lead into
-//! the hole, or if it cannot be computed.
+//! Reads the velocity of the fall, computes its orbit and sets CameraSettings::orbit and
+//! after_fall. The camera's keys and all other numbers of the show must have been read. Throws
+//! Error if there is no key when it begins, if it would begin faster than light or reach the
+//! horizon without a least_r inside, or if it cannot be computed up to the show's end.
 void let_fall(const toml::table& fall, const std::string& file, Show& show);
 
 //! Throws Error if the camera falls through the horizon but the show has features that cannot be

@@ -15,8 +15,8 @@ struct WrittenMotion {
   Vector3<double> velocity = {0.0, 0.0, 0.0};
 };
 
-//! Reads "rain", or { beta = 0.4, toward = [0, 0, 1] }; returns `otherwise` if the key is absent.
-//! Throws Error if the value is invalid.
+//! Reads a word such as "rain", or { beta = 0.4, toward = [0, 0, 1] }; returns `otherwise` if the
+//! key is absent. Throws Error if the value is invalid.
 WrittenMotion read_motion(TomlTable& table, std::string_view key, const std::string& file,
                           const WrittenMotion& otherwise);
 

@@ -40,7 +40,7 @@ ERGO_HD Vector3<double> seen_by_head(const Vector3<double>& m, double distance, 
 template <class T>
 struct EyePoint {
   Vector3<Dual<T>> n;  //!< direction from the head
-  Dual<T> length;      //!< l
+  Dual<T> length;      //!< l: the length of m + w e, whose direction is n
   T closing;           //!< dl/dw = n · e
   //! dn/dw in terms of the derivatives of n: dn/dw = along_x ∂n/∂x + along_y ∂n/∂y.
   T along_x;
@@ -58,7 +58,7 @@ struct EyeLine {
   using S = ScalarOf<T>;
 
   Vector3<D> m;
-  Vector3<S> eye;  //!< e [M]
+  Vector3<S> eye;  //!< e: the eye, relative to the head [M]
 
   //! Returns m of a lane.
   [[nodiscard]] ERGO_HD Vector3<S> direction(int i) const {

@@ -19,9 +19,9 @@ namespace ergodome::inline ERGO_TARGET {
 
 //! One of the head's rays, which represents the part of an eye's line near to it.
 struct EyeReference {
-  Vector3<double> m;       //!< the eye's direction
-  Vector3<double> eye;     //!< e [M]
-  Vector3<double> n;       //!< the ray's direction
+  Vector3<double> m;       //!< direction of the eye's line of sight
+  Vector3<double> eye;     //!< e: the eye, relative to the head [M]
+  Vector3<double> n;       //!< the ray's direction, from the head
   Vector3<double> across;  //!< unit vectors perpendicular to n, along which the ray has derivatives
   Vector3<double> down;
 
@@ -41,8 +41,9 @@ struct EyeReference {
   }
 
   //! Returns the nearness at a distance from the head: (d² - e²) w² - 2 w m·e = 1. A line that
-  //! passes the head has two solutions for distances below |e|; the farther one is returned.
-  //! Returns a huge value if there is none.
+  //! passes the head has two solutions for distances below |e|; the farther one is returned. If
+  //! there is none, returns the nearness of the line's point closest to the head, or a huge value
+  //! if that point is the eye.
   ERGO_HD double nearness(double distance) const {
     const double ahead = dot(m, eye);
     const double rest = distance * distance - dot(eye, eye);
@@ -178,8 +179,8 @@ class EyeStep {
     return path;
   }
 
-  //! Sets a hit's light to that of the head's ray there, and its time to minus its nearness, so
-  //! that nearer hits come first. `h`: time on along().
+  //! Sets a hit's u_rate and polar_momentum to those of the head's ray there, and its time to minus
+  //! its nearness, so that nearer hits come first. `h`: time on along().
   ERGO_HD void see(double h, MeshHit& hit) const {
     const Position at = position(begin_ + h);
     const D time(begin_ + h);

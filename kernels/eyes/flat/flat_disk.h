@@ -69,8 +69,8 @@ class FlatDisk {
     }
   }
 
-  //! Composes all images nearer than `nearness`, from order `next` on, behind everything that lane
-  //! `i` has seen.
+  //! Composes images behind everything that lane `i` has seen, from order `next` on, up to the
+  //! first that is farther than `nearness`, and sets `next` to that order.
   ERGO_HD void compose_before(S nearness, int i, int& next, SeenLanes<T>& seen) const {
     for (; next < crossing_orders; ++next) {
       const S own = this->nearness(next, i);

@@ -15,8 +15,8 @@ class GridLayers {
 
   ERGO_HD explicit GridLayers(const FlatEyeLookUpBatch& batch) : batch_(batch), lanes_(0.0F), left_(0.0F) {}
 
-  //! Evaluates the layers in direction n; where the grid's leaf is flagged, the lane is left to
-  //! rays and no layer is shown.
+  //! Evaluates the layers in direction n. Where the grid's leaf is flagged, no layer is shown, and
+  //! the lane is left to rays if any order may be visible there.
   ERGO_HD void aim(const Vector3<D>& n, int, const Mask& lanes) {
     const DiskPosition<T> position =
         disk_position(batch_.grid.cells.chart.edge, rain_direction(batch_.aberration, n, energy_));

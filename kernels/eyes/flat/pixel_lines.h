@@ -59,7 +59,8 @@ class PixelLines {
 
   [[nodiscard]] ERGO_HD const Vector3<double>& direction(int line) const { return lines_[line].m; }
 
-  //! Records that a line has met something, so that it is not searched farther on.
+  //! Records that a line has met something, so that it is not searched farther on. Lines whose
+  //! farther parts come first (backwards_) are searched on.
   ERGO_HD void meet(int line) {
     if (!is_in(backwards_, line)) {
       open_ &= ~(1U << static_cast<unsigned>(line));
@@ -219,7 +220,7 @@ class PixelLines {
   double eye_ahead_ = 0.0, eye_along_ = 0.0;
   Line lines_[max_lines];
   int count_ = 0;
-  unsigned open_ = 0U, backwards_ = 0U, wanted_ = 0U;  //!< one bit per line
+  unsigned open_ = 0U, backwards_ = 0U, wanted_ = 0U;  //!< sets of lines, one bit per line
   int rows_ = 0, columns_ = 0;
   double low_s_ = 0.0, low_t_ = 0.0, width_ = 0.0, height_ = 0.0;
   int ray_ = -1;

@@ -76,7 +76,7 @@ ERGO_HD double affine_step_of(const AffineSeries& s) {
 //! Returns the affine distance [M] from a camera to the radius `r_end` [M] in direction `n` (unit
 //! vector in the observer's frame), backwards along the light. `r_end` is the radius of a shell, or
 //! of the horizon, where the observer's past ends. The first crossing counts. Returns infinity if
-//! the ray does not reach `r_end`.
+//! the ray does not reach `r_end` within affine_step_limit steps.
 ERGO_HD double affine_distance(const CameraStation& camera, const Vector3<double>& n, double r_end) {
   const double energy = detail::evaluate(camera.energy, n);
   const double momentum = detail::evaluate(camera.axial_momentum, n);

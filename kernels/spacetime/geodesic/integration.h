@@ -55,7 +55,7 @@ ERGO_HD RayStart<RealOf<T>> plain_start(const RayStart<T>& start) {
 }
 
 //! Returns the tolerance of local errors. Near the critical curve an error grows by 1 / distance,
-//! so the tolerance shrinks with it.
+//! so the tolerance shrinks in proportion to the distance, unless it is `on_screen`.
 //!
 //! The distance is proportional to the clearance at the barrier, which is known before the first
 //! step.

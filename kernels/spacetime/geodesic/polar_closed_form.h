@@ -13,9 +13,9 @@ namespace ergodome::inline ERGO_TARGET {
 //! The angle η that parametrizes the polar motion: dη/dλ = √(A + B sin²η), and 1 / (1 - x²) =
 //! constant + factor / (cos²η + ℓ² sin²η).
 struct PolarForm {
-  double a;   //!< A [M²]
-  double b;   //!< B [M²]; A + B >= 0
-  double l2;  //!< ℓ², in [0, 1]
+  double a;   //!< A in dη/dλ = √(A + B sin²η) [M²]
+  double b;   //!< B in dη/dλ = √(A + B sin²η) [M²]; A + B >= 0
+  double l2;  //!< ℓ² in the formula of 1 / (1 - x²), in [0, 1]
   double w;   //!< largest x² of motion through the equator
   double constant;
   double factor;

@@ -107,7 +107,7 @@ ERGO_HD Trial<T> try_step(ScalarOf<T> spin, const RayStart<T>& ray, const RaySta
 }  // namespace detail
 
 //! Follows a ray that is known to come from the sky to its end, with an embedded Runge-Kutta pair.
-//! Arguments as for trace_taylor().
+//! Arguments as for trace_taylor() (taylor.h).
 //!
 //! The error estimate is that of the lower order, but the solution of the higher order is
 //! continued. So the errors of all steps together remain near the tolerance.

@@ -14,20 +14,20 @@ namespace ergodome::inline ERGO_TARGET {
 //! would be 10⁶⁰.
 template <class T>
 struct TaylorCoefficients {
-  T u_linear;                 //!< (a² - C) / s²
-  T u_quadratic;              //!< 3 K / s²
-  T u_cubic;                  //!< -2 a² Q / s²
-  T polar;                    //!< C / s²; C is the polar constant
-  T drag_u;                   //!< -2 a / s, backwards
-  T drag_u2;                  //!< a² L / s, backwards
-  RealOf<T> spin2;            //!< a² / s²
+  T u_linear;                 //!< (a² - C) / s², with the time scale s = √C + 1
+  T u_quadratic;              //!< 3 K / s², with the time scale s = √C + 1
+  T u_cubic;                  //!< -2 a² Q / s², with the time scale s = √C + 1
+  T polar;                    //!< C / s²; C: polar constant, s = √C + 1
+  T drag_u;                   //!< -2 a / s, backwards; s = √C + 1
+  T drag_u2;                  //!< a² L / s, backwards; s = √C + 1
+  RealOf<T> spin2;            //!< a² / s², with the time scale s = √C + 1
   ScalarOf<T> outer_horizon;  //!< r_+
   //! As in RayStart. For lanes whose light moves only inwards, the members below have other values,
   //! which put X + √R in place of Δ (drag_rate() in runge_kutta.h).
   bool ingoing;
   RealOf<T> lapse_u;     //!< -2; 0 for light that moves only inwards
   T lapse_u2;            //!< a²; a² - a L for light that moves only inwards
-  RealOf<T> lapse_rate;  //!< 0; -s for light that moves only inwards
+  RealOf<T> lapse_rate;  //!< 0; -s for light that moves only inwards, s = √C + 1
   //! 0; a / s for light that moves only inwards (drag_u is then 0 and drag_u2 is -a K / s).
   RealOf<T> drag_lapse;
 };

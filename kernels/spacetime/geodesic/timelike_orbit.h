@@ -54,10 +54,10 @@ namespace detail {
 //! Momentum in the ZAMO frame, with L_z and the metric functions that it is computed from.
 struct OrbitMomentum {
   KerrFunctions f;
-  double radial;     //!< γ v_r
-  double polar;      //!< γ v_θ
-  double azimuthal;  //!< γ v_φ
-  double axial;      //!< L_z
+  double radial;     //!< γ v_r in the ZAMO frame
+  double polar;      //!< γ v_θ in the ZAMO frame
+  double azimuthal;  //!< γ v_φ in the ZAMO frame
+  double axial;      //!< L_z [M]
 };
 
 ERGO_HD OrbitMomentum momentum_of(Spacetime spacetime, const OrbitState& s) {
@@ -227,8 +227,8 @@ ERGO_HD OrbitStep orbit_step(Spacetime spacetime, const OrbitConstants& constant
   return {end, detail::orbit_error(constants, state, difference)};
 }
 
-//! Returns the factor for the length of the next step after a step with this error. A step whose
-//! error exceeds the tolerance is repeated.
+//! Returns the factor for the length of the next step after a step with this error: from 0.2, also
+//! for NaN, to 4. The caller repeats a step whose error exceeds the tolerance.
 ERGO_HD double orbit_step_growth(double error, double tolerance) {
   constexpr double exponent = 1.0 / (CashKarp::error_order + 1);
   const double growth = 0.85 * ::pow(tolerance / (error + 1e-300), exponent);

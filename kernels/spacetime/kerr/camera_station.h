@@ -36,7 +36,7 @@ struct CameraStationOf {
   DirectionForm<S> outward_rate;    //!< -du/dλ, backwards
   DirectionForm<S> polar_rate;      //!< e_θ · dm/dλ, backwards [M]
   DirectionForm<S> azimuthal_rate;  //!< e_φ · dm/dλ, backwards [M]
-  bool ingoing = false;             //!< see RayStart
+  bool ingoing = false;             //!< the camera is inside the horizon or near it; see RayStart
   //! See RayStart; inside the horizon, φ itself is the azimuth of ingoing Kerr coordinates.
   S turn = S(0);
   S lag = S(0);  //!< outer_lag() if `ingoing` [M], otherwise 0

@@ -19,8 +19,8 @@ namespace ergodome::inline ERGO_TARGET {
 template <class S>
 struct HorizonWinding {
   S spin;
-  S horizon_r;  //!< r_+
-  S gap;        //!< d
+  S horizon_r;  //!< r_+ [M]
+  S gap;        //!< d = r_+ - r_- [M]
   S sense;      //!< 1: of light that goes on to the horizon; -1: of light that came out through it
 };
 
@@ -62,7 +62,7 @@ ERGO_HD MixedDual<T> logarithm_of(const MixedDual<T>& a) {
   return {natural_logarithm(a.value), x, y, a.mixed * inverse - x * y};
 }
 
-//! Returns 1 - r_+ u, limited to positive values.
+//! Returns 1 - r_+ u, but at least 1e-6.
 template <class T>
 ERGO_HD T outer_part(const HorizonWinding<ScalarOf<T>>& w, const T& u) {
   using S = ScalarOf<T>;

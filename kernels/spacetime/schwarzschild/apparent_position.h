@@ -12,7 +12,7 @@ namespace ergodome::inline ERGO_TARGET {
 //! The plane through an observer, a point and the center of the hole.
 struct ConnectionPlane {
   Vector3<double> outward;  //!< e_1: from the hole to the observer
-  Vector3<double> across;   //!< e_2: towards the point
+  Vector3<double> across;   //!< e_2: perpendicular to e_1, on the point's side
   double r_observer;        //!< radius of the observer [M]
   double r;                 //!< radius of the point [M]
   double phi;               //!< angle between observer and point about the hole, 0 to π [rad]
@@ -21,7 +21,7 @@ struct ConnectionPlane {
 //! How a static observer sees a point.
 struct ApparentPosition {
   Vector3<double> direction;  //!< direction from the observer to the apparent position
-  double travel_time;         //!< the depth [M]
+  double travel_time;         //!< coordinate time from the point to the observer, used as depth [M]
   //! Direction in which light leaves a static emitter at the point.
   Vector3<double> emission_direction;
 };

@@ -66,7 +66,7 @@ struct TurningFamily {
   double u_pivot;             //!< u of the pivot
   double from_photon_sphere;  //!< |u - 1/3| of the pivot
   double from_half;           //!< 1/2 - u of the pivot
-  double side;                //!< as in TurningOrbit
+  double side;                //!< +1: turns below u = 1/3, outside the photon sphere; -1: above
   double gap;
 
   //! Returns the distance of the pivot from the turn: |u - 1/3| of the turn is that of the pivot

@@ -25,7 +25,7 @@ namespace ergodome::inline ERGO_TARGET {
 //! affine distance beyond |Δr|.
 struct OrbitLeg {
   double angle;    //!< azimuth swept [rad]
-  double delay;    //!< [M]
+  double delay;    //!< coordinate time beyond |Δr*| [M]
   double stretch;  //!< affine distance beyond |Δr| [M]
 };
 

@@ -16,8 +16,8 @@ struct ScreenPoint {
 //! Parameters of the tessellation level; the defaults are those of the pictures of the sphere.
 struct TessellationSettings {
   double maximum = 64.0;  //!< MaxTessLevel
-  double factor = 5.0;    //!< a
-  double power = 0.75;    //!< b
+  double factor = 5.0;    //!< a of eq. 19
+  double power = 0.75;    //!< b of eq. 19
 };
 
 ERGO_HD double screen_distance(const ScreenPoint& p, const ScreenPoint& q) { return ::hypot(p.x - q.x, p.y - q.y); }
@@ -30,16 +30,16 @@ ERGO_HD double apparent_curvature(const ScreenPoint& first, const ScreenPoint& m
   return length > 0.0 ? bow / length : 0.0;
 }
 
-//! Returns the number of parts that an edge is divided into: eq. 19, but at least 1. Grows with
-//! curvature.
+//! Returns the number of parts that an edge is divided into: eq. 19, from 1 to `settings.maximum`.
+//! Grows with curvature.
 ERGO_HD double tessellation_level(double curvature, const TessellationSettings& settings) {
   const double share = settings.factor * ::pow(curvature, settings.power);
   return ::fmax(1.0, settings.maximum * ::fmin(1.0, ::fmax(0.0, share)));
 }
 
-//! Returns whether a triangle is torn apart by the hole: its circumference is more than `limit`
-//! times that of the undistorted one. Such a triangle contains a point exactly behind the hole,
-//! which is seen as a ring.
+//! Returns whether a triangle is torn apart by the hole: its perimeter is more than `limit` times
+//! that of the undistorted one. Such a triangle contains a point exactly behind the hole, which is
+//! seen as a ring.
 ERGO_HD bool is_torn(const ScreenPoint (&seen)[3], const ScreenPoint (&undistorted)[3], double limit) {
   double around = 0.0;
   double around_undistorted = 0.0;

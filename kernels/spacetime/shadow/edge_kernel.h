@@ -11,7 +11,7 @@ struct EdgeBatch {
   CameraStation camera;
   ShadowChart chart;
   int count;
-  float* polar_angle;  //!< [rad]
+  float* polar_angle;  //!< out: the edge's polar angle at each step [rad]
 };
 
 inline namespace ERGO_TARGET {

@@ -31,12 +31,12 @@ template <class S>
 struct OmniCameraOf {
   S spin;
   S horizon_r;
-  S offset;  //!< distance of the eye from the head's center, positive to the right [M]
-  S inverse_convergence;
-  S fade_begin;     //!< cosine of the elevation at which the offset is 0
-  S fade_scale;     //!< 1 / (cosine at which the offset is full - fade_begin)
-  S inverse_reach;  //!< 1 / radius within which the polynomials are valid [1/M]
-  int degree;       //!< degree of the polynomials
+  S offset;               //!< distance of the eye from the head's center, positive to the right [M]
+  S inverse_convergence;  //!< 1 / radius of the sphere on which the eyes' directions meet [1/M]
+  S fade_begin;           //!< cosine of the elevation at which the offset is 0
+  S fade_scale;           //!< 1 / (cosine at which the offset is full - fade_begin)
+  S inverse_reach;        //!< 1 / radius within which the polynomials are valid [1/M]
+  int degree;             //!< degree of the polynomials
   //! omni_numbers polynomials, each with omni_terms(degree) coefficients, of the terms 1, p, q, p²,
   //! p q, q², ... p and q are the eye's position to the right and to the back, times inverse_reach.
   const S* coefficients;

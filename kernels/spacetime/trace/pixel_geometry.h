@@ -100,9 +100,9 @@ ERGO_HD Vector3<R> part_of(const Vector3<Dual<T>>& v) {
   }
 }
 
-//! Writes the sky channels of pixels. Where `valid` is false, writes a footprint as wide as the
-//! sky, or a zero direction if the batch has no footprints. Writes no footprints if R has no
-//! derivatives.
+//! Writes the sky channels of pixels, rotated to the camera's azimuth. Where `valid` is false,
+//! writes an arbitrary direction with a footprint as wide as the sky, or a zero direction if the
+//! batch has no footprints. Writes no footprints if R has no derivatives.
 template <class R>
 ERGO_HD void store_sky(const PixelBatch& batch, int first, const Vector3<R>& sky, const MaskOf<RealOf<R>>& valid) {
   using T = RealOf<R>;

@@ -28,7 +28,7 @@ struct ImageJoinBatch {
   ImageOrder order;
   //! Images of each star; must be zero before the steps `count` and `number`.
   std::int32_t* counts;
-  const std::int32_t* first;  //!< index of each star's first number; has star_count + 1 elements
+  const std::int32_t* first;  //!< index in `numbers` of each star's images; star_count + 1 elements
   std::int32_t* numbers;
   //! Images kept, star by star, as many as numbers; duplicates have a star of -1.
   StarImage* images;

@@ -15,7 +15,7 @@ struct PatchPosition {
 template <class T>
 struct PatchRoot {
   PatchPosition<T> at;
-  T area;  //!< Jacobian determinant there: area in the plane per area of the unit square
+  T area;  //!< Jacobian determinant there: area in the plane z = 1 per area of the unit square
   MaskOf<T> found;
 };
 
@@ -41,7 +41,8 @@ ERGO_HD MaskOf<T> within_patch(const PatchPosition<T>& at, float margin) {
 }
 
 //! Seeks stars by Newton's method from a position in their patches. A lane ends without a root if
-//! its first step exceeds `farthest` or if it leaves the patch by more than the patch's size.
+//! its first step exceeds `farthest`, if it leaves the patch by more than the patch's size, or
+//! after `rounds` steps.
 template <class T>
 ERGO_HD PatchRoot<T> newton_on_patch(const SeenPatch<T>& patch, const MaskOf<T>& wanted, const PatchPosition<T>& from,
                                      float farthest, int rounds) {

@@ -11,7 +11,7 @@ namespace ergodome {
 //! A star that a patch may hold.
 struct SearchedPair {
   std::int32_t patch;
-  std::int32_t star;  //!< number in the field
+  std::int32_t star;  //!< index in SearchedField::stars
   float depth;        //!< cosine of the angle to the patch's axis
   float a;            //!< (a, b): the star in gnomonic projection about the patch's axis
   float b;
@@ -22,7 +22,7 @@ struct SearchedPair {
 struct PatchPairBatch {
   int count;
   const SearchedPair* pairs;
-  const StarPatch* patches;  //!< all patches, by their number
+  const StarPatch* patches;  //!< all patches, indexed by SearchedPair::patch
 };
 
 //! Position of a star relative to the border of a patch.

@@ -4,8 +4,8 @@ namespace ergodome {
 
 //! An approximate image of a star, as read from the grid.
 struct RoughImage {
-  int star;           //!< number in the field
-  float gamma_turns;  //!< in [0, 1)
+  int star;           //!< index of the star in SearchedField::stars
+  float gamma_turns;  //!< position angle γ in the chart [turns], in [0, 1)
   float s;
   //! Approximate solid angle of the sky per area of the chart; negative for inverted parity
   //! [sr/turn].

@@ -25,7 +25,7 @@ struct SearchInputs {
   CorrectedLeaves corrected;
   SearchedField field;
   ViewCone view;     //!< images outside may be left out
-  SkyRotation turn;  //!< to the camera's azimuth
+  SkyRotation turn;  //!< rotation from the patches' azimuth, φ = 0, to the camera's
 };
 
 inline namespace ERGO_TARGET {

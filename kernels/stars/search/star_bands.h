@@ -29,8 +29,8 @@ inline constexpr int max_star_levels = 16;
 //! The brightest stars, sorted by their position on the sky.
 struct StarLevel {
   StarBands stars;
-  const std::int32_t* number;  //!< number of each star in the field
-  const std::uint8_t* colour;  //!< class of each star
+  const std::int32_t* number;  //!< index of each star in SearchedField::stars
+  const std::uint8_t* colour;  //!< star_class() of each star
   float left_out;              //!< illuminance of the brightest star that is not in this level
 };
 
@@ -61,7 +61,8 @@ struct Kernel<StarSearchBatch> : KernelDefaults {
 
 inline namespace ERGO_TARGET {
 
-//! Returns which of `parts` equal parts of [0, 1) contains a position.
+//! Returns which of `parts` equal parts of [0, 1) contains a position; for positions outside, the
+//! first or the last.
 template <class S>
 ERGO_HD int cell_among(S position, int parts) {
   const int at = static_cast<int>(position * static_cast<S>(parts));

@@ -36,8 +36,8 @@ struct SkyRotation {
   double cosine;
 };
 
-//! Brightness threshold for stars: a star is above it if its illuminance, multiplied by the bound
-//! of its class in row `shift_row` of ShiftGains, is at least `illuminance` [lx]. `illuminance` is
+//! Brightness threshold for stars: a star is above it if its illuminance, multiplied by the gain of
+//! its class in row `shift_row` of SearchedField::gains, is at least `illuminance` [lx], which is
 //! not negative.
 struct StarFloor {
   float illuminance;
@@ -45,7 +45,7 @@ struct StarFloor {
 };
 
 //! Upper limit of the brightening of stars for an observer: `brighter`, times the magnification in
-//! the rain frame, times the gain of the star's class in that row of ShiftGains.
+//! the rain frame, times the gain of the star's class in row `shift_row` of SearchedField::gains.
 struct PatchLight {
   float brighter;
   int shift_row;

@@ -22,21 +22,22 @@ AccuracyAxis measure_map(const Show& show, const AccuracySettings& settings, con
 std::optional<AccuracyAxis> measure_stars(const Show& show, const std::vector<AccuracyMoment>& moments,
                                           const AccuracySettings& settings, const AccuracyProgress& progress);
 
-//! Returns whether a show's camera path can be baked and needs stations: see measure_stations.
+//! Returns whether stations apply to a show: the camera's r or θ changes, the spin is not animated,
+//! and the grid scheme is conforming.
 bool has_stations(const Show& show);
 
 //! Measures how far apart stations on a show's camera path may be if the lens is blended between
-//! them, with and without the stations' derivatives. Returns nothing for shows that are not baked:
-//! the camera's r and θ are constant, the spin changes, or the grid scheme is quadtree.
+//! them, with and without the stations' derivatives. Returns nothing if has_stations() is false, or
+//! if r and θ are constant at all moments.
 //!
-//! Times and bytes are those of the stations for one second of the show. Errors are measured
-//! halfway between two stations, where they are largest.
+//! Times and disk sizes are those of the stations for one second of the show; memory is that of one
+//! station. Errors are measured halfway between two stations, where they are largest.
 std::optional<AccuracyAxis> measure_stations(const Show& show, const std::vector<AccuracyMoment>& moments,
                                              const AccuracySettings& settings, const AccuracyProgress& progress);
 
 //! Measures the stereo models: the cost of a pair of eyes, and the error of the left eye's image.
 //! The reference is a pair of real eyes, each with its own camera. Returns nothing for a show with
-//! a single eye.
+//! a single eye, or if the baseline is 0 at all moments.
 //!
 //! Times are those of both eyes' lenses, including the shadow's mask of the model `flat`, without
 //! shading.
@@ -47,7 +48,8 @@ std::optional<AccuracyAxis> measure_stereo(const Show& show, PixelNeed need, con
 //! the published polygons if these can draw them. The show must have a disk, shells or objects.
 AccuracyAxis measure_near(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress);
 
-//! Measures whole frames of the show with each lens source (LensSource).
+//! Measures whole frames of the show for one eye: with direct rays, with the published quadtree
+//! grid, and with live conforming grids of several budgets.
 AccuracyAxis measure_frames(const Show& show, const AccuracySettings& settings, const AccuracyProgress& progress);
 
 }  // namespace ergodome

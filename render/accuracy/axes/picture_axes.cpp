@@ -15,7 +15,8 @@ namespace {
 //! pixel.
 constexpr int max_map_px = 512;
 
-//! Returns a copy of a show that has only its sky map.
+//! Returns a copy of a show that has only its sky map, one eye, and the animations of the hole and
+//! of the sky's exposure.
 Show map_alone(Show show) {
   show.sky.stars.clear();
   show.disk.reset();
@@ -148,7 +149,8 @@ Show by_polygons(const Show& show, int max_divisions) {
   return changed;
 }
 
-//! Returns whether the published polygons can draw a show's objects with their motion.
+//! Returns whether the published polygons can draw a show's objects; false if it has none, or if
+//! one is retarded (seen where it was when the light left it).
 bool polygons_can_draw(const Show& show) {
   const Show drawn = by_method(show, ObjectMethod::polygon);
   const bool waits = std::ranges::any_of(show.objects, &ObjectSettings::retarded);

@@ -22,7 +22,8 @@ bool is_whole(const Picture& picture, std::int64_t pixel) {
   return picture.rgba[static_cast<std::size_t>(4 * pixel) + 3] >= 0.9999F;
 }
 
-//! Returns the mean luminance of those fully covered pixels that are not dark.
+//! Returns the mean luminance of those fully covered pixels that are not dark; 1 without such
+//! pixels.
 double mean_of(const Picture& picture, const std::vector<std::int64_t>& pixels) {
   double sum = 0.0;
   double count = 0.0;

@@ -27,16 +27,17 @@ using ReferencePicture = std::function<Picture(const AccuracyMoment& moment, con
 //! from frame to frame; times of frames whose lens is already prepared, drawn by all ways in turn;
 //! and the cost of each pass in the last frame.
 //!
-//! Pixels that are partly covered by the shadow or by the rim of the image are not compared.
+//! Pixels with a coverage below 1 (in or at the shadow, or at the rim of the image) are not
+//! compared, nor those that are dark in both pictures.
 std::vector<Measurement> measure_pictures(const std::vector<PictureChoice>& choices, const ReferencePicture& reference,
                                           const std::vector<AccuracyMoment>& moments, const AccuracySettings& settings,
                                           const AccuracyProgress& progress);
 
-//! Averages the pixels of a picture in blocks of `blocks` x `blocks`.
+//! Averages the pixels of a picture in blocks of `blocks` x `blocks`; drops incomplete blocks.
 Picture averaged(const Picture& picture, int blocks);
 
-//! Returns whether frames take seconds without a GPU because they have objects, which OpenGL draws.
-//! Fewer such frames are measured.
+//! Returns whether a show has objects: without a GPU, a frame with objects takes seconds, so fewer
+//! such frames are measured.
 inline bool draws_slowly(const Show& show) { return !show.objects.empty(); }
 
 //! Returns the settings with the picture width limited to `max_px`.

@@ -65,7 +65,7 @@ bool is_inside(const EyeCamera& eye, const Projection& projection, const Vector3
   return true;
 }
 
-//! Searches for the star images of a moment with both methods, and measures the times.
+//! Searches for the star images of a moment with both methods: invert() and gather().
 class StarRace {
  public:
   StarRace(const Show& show, const AccuracyMoment& moment)
@@ -82,7 +82,7 @@ class StarRace {
     settings_.view = view_cone(moment.eye, moment.projection, 0.05);
   }
 
-  //! Prepares the search for a new camera position.
+  //! Prepares invert() for a new camera position.
   void prepare() {
     station_ = build_star_station(moment_.eye, settings_);
     patches_.emplace(star_patches(field_, colours_.view(), moment_.eye, station_, settings_));
@@ -100,7 +100,7 @@ class StarRace {
     }
   }
 
-  //! Returns the images of the last search that are in the picture and clearly bright.
+  //! Returns the images of the last search that are in the picture (is_inside()).
   [[nodiscard]] std::vector<Found> found() const {
     std::vector<Found> all;
     for (const StarImage& image : images_) {
@@ -143,7 +143,7 @@ double distance_px(const Vector3<double>& a, const Vector3<double>& b, double pi
   return std::sqrt(dot(apart, apart)) / pixel;
 }
 
-//! Errors of a method over all moments.
+//! Errors of a method over all moments, and how many of the `known` exact images it lost.
 struct Tally {
   std::vector<double> positions_px;
   std::vector<double> lights;
@@ -151,7 +151,8 @@ struct Tally {
   std::size_t known = 0;
 };
 
-//! The directions of all exact images known at a moment, by star; each image once.
+//! The directions of all clearly bright exact images that either method led to at a moment, by
+//! star; each image once.
 using ExactByStar = std::multimap<int, Vector3<double>>;
 
 void add_exact(ExactByStar& known, int star, const Vector3<double>& n, double pixel) {

@@ -23,7 +23,7 @@ struct Leg {
   double end_s = 0.0;
 };
 
-//! Returns the legs of a show's camera path, without those on which the camera stands still.
+//! Returns the legs of a show's camera path, without those at whose ends r and θ are the same.
 std::vector<Leg> legs_of(const Show& show) {
   const std::vector<double> ends_s = path_ends_s(show);
   std::vector<Leg> legs;
@@ -37,7 +37,7 @@ std::vector<Leg> legs_of(const Show& show) {
   return legs;
 }
 
-//! Returns the leg that contains a time, if the camera moves on it.
+//! Returns the leg that contains a time; nothing if r and θ are constant at that time.
 std::optional<Leg> leg_at(const Show& show, double time_s) {
   for (const Leg& leg : legs_of(show)) {
     if (time_s >= leg.begin_s && time_s <= leg.end_s) {
@@ -108,8 +108,9 @@ LensChoiceToMeasure station_choice(double spacing_s, bool derivatives) {
           [=](LensScene& scene) { return std::make_unique<StationPixels>(scene, spacing_s, derivatives); }};
 }
 
-//! Converts the sizes and times of two stations at a distance of `spacing_s` to those of all
-//! stations for one second of the show.
+//! Converts results to those of all stations for one second of the show: frame_ms becomes the time
+//! to build them, from prepare_ms, which is the time of two stations; disk_bytes is that of one.
+//! The time to blend and read moves to passes_ms. memory_bytes remains that of one station.
 void count_a_second(Measurement& choice, double spacing_s) {
   choice.passes_ms["blending two stations and reading every pixel"] = spread_of(choice.frame_ms).median;
   for (std::size_t i = 0; i < choice.frame_ms.size(); ++i) {

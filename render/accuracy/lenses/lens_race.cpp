@@ -29,7 +29,8 @@ struct Entry {
   std::vector<double> flickers;
   std::size_t lost = 0;
   double warm_up_ms = 0.0;  //!< time of the warm-up frame, at the current moment
-  bool slow = false;        //!< true if frames are slower than `slow_ms`, at the current moment
+  //! true if the warm-up frame took more than `slow_ms` (with --quick, `slow_for_a_quick_look_ms`)
+  bool slow = false;
   //! Times of preparation and frames, by moment, and for each moment by round.
   std::vector<std::vector<double>> prepare_ms;
   std::vector<std::vector<double>> frame_ms;

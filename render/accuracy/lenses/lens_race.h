@@ -30,11 +30,12 @@ std::vector<Measurement> measure_lenses(const std::vector<LensChoiceToMeasure>& 
                                         const AccuracyProgress& progress);
 
 //! Returns all methods that find where pixels' light comes from: integrators, tolerances,
-//! precisions, grids, budgets and interpolations, including published ones.
+//! precisions, grids, budgets and interpolations, including published ones. If `quick`, with fewer
+//! settings and coarser quadtrees.
 std::vector<LensChoiceToMeasure> sky_choices(bool quick);
 
 //! Returns the renderer's methods for pictures whose filter needs the pixels' footprints on the
-//! sky.
+//! sky: direct rays, conforming grids, and quadtrees, which are coarser if `quick`.
 std::vector<LensChoiceToMeasure> footprint_choices(bool quick);
 
 }  // namespace ergodome

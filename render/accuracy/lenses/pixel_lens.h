@@ -43,7 +43,7 @@ class LensScene {
   }
   [[nodiscard]] const Projection& projection() const { return moment_.projection; }
 
-  //! Returns the rays of all pixels; allocates them at the first call.
+  //! Returns the rays of all pixels; computes their view directions at the first call.
   template <class S>
   RayPicture<S>& rays();
 
@@ -94,7 +94,8 @@ struct LensChoiceToMeasure {
 };
 
 //! Returns the method that traces one ray per pixel with an integrator, in float if `narrow`,
-//! otherwise in double.
+//! otherwise in double. `tolerance`: accepted displacement on the camera's sky [rad]; unused by the
+//! closed form.
 LensChoiceToMeasure ray_choice(TraceMethod method, bool narrow, double tolerance);
 
 //! Returns the method of the renderer without a grid: one ray per pixel in float, with an

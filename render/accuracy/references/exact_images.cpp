@@ -41,7 +41,7 @@ Tangents tangents_of(const Vector3<double>& n) {
 }
 
 //! Computes the derivatives of the sky direction along the two tangents of the view direction n.
-//! Returns false if no light comes from the sky there.
+//! Light must come from the sky there. Returns false if the ray does not converge.
 bool slopes(const CameraStation& camera, const Vector3<double>& n, const Tangents& t, Vector3<double>& along_first,
             Vector3<double>& along_second) {
   const Vector3<ImageDual> direction = {ImageDual(n.x, t.first.x, t.second.x), ImageDual(n.y, t.first.y, t.second.y),

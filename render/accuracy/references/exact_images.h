@@ -13,7 +13,7 @@ namespace ergodome {
 struct ExactImage {
   //! Direction in which the observer sees the image, in the observer's frame.
   Vector3<double> direction;
-  double magnification;  //!< factor of the solid angle, positive
+  double magnification;  //!< solid angle of the image over the star's on the sky, > 0
 };
 
 //! Refines approximate lensed images of stars to exact ones with Newton's method on rays in closed
@@ -21,8 +21,8 @@ struct ExactImage {
 //! renderer's search for images. An entry is empty if the iteration does not end on the star within
 //! `reach` [rad] of the approximate image, or if no light comes from the sky there.
 //!
-//! `stars`: directions of the stars on the sky, in the hole's axes. `found`: directions of the
-//! approximate images in the observer's frame.
+//! `stars[i]`: direction on the sky of the star of image i, in the hole's axes. `found[i]`:
+//! direction of the approximate image in the observer's frame.
 std::vector<std::optional<ExactImage>> exact_images(const EyeCamera& eye, const std::vector<Vector3<double>>& stars,
                                                     const std::vector<Vector3<double>>& found, double reach);
 

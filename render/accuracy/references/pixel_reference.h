@@ -21,8 +21,9 @@ class PixelReference {
 
   [[nodiscard]] std::size_t size() const { return points_.size(); }
 
-  //! Returns whether a pixel is compared: it is entirely inside the picture, and farther from the
-  //! shadow's edge than its own size.
+  //! Returns whether a pixel is compared: it is entirely inside the picture, farther from the
+  //! shadow's edge than its own size, and its reference rays converged and agree on whether it sees
+  //! the sky.
   [[nodiscard]] bool counts(std::size_t i) const { return points_[i].counts; }
 
   //! Returns whether a pixel sees the sky.

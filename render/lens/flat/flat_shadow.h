@@ -40,8 +40,8 @@ class FlatShadow {
   [[nodiscard]] double max_baseline() const;
 
   //! Computes the shadow edge that an eye sees, in the chart of the head's edge and at the same
-  //! position angles. The eye is `offset` to the right of the head [M]. Throws Error if the eye is
-  //! so far from the head that the horizon is not well in front of it.
+  //! position angles. The eye is `offset` to the right of the head [M]. Throws Error if 2 |offset|
+  //! exceeds max_baseline().
   [[nodiscard]] std::vector<float> eye_edge(double offset) const;
 
   //! Computes FlatHorizon::nearness (`spokes` times `depths` values) of the eye at `offset` [M],

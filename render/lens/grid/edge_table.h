@@ -29,16 +29,16 @@ EdgeCurve edge_view(const ShadowChart& chart, const std::vector<float>& polar_an
 
 //! Returns the maximum error [rad] of the shadow's edge as an observer sees it, if the edge is
 //! interpolated in a table in the rain frame. Returns 0 for observers that move slowly relative to
-//! that frame.
+//! that frame, and infinity if no edge is found at some position angle.
 //!
 //! Next to the horizon of an extremal hole, the whole sky of an observer that does not fall
 //! corresponds to a small part of the rain frame's sky, and most of the observer's edge lies
 //! between two points of the table. `to_rain`: from aberration_to_rain().
 double edge_miss(const EdgeCurve& table, const CameraStation& observer, const Aberration& to_rain);
 
-//! Caches the results of edge_miss() for recent eyes, because each frame of a camera that only
-//! turns or circles the axis needs the same one. Returns 0 for spins up to 0.999, where tables are
-//! accurate for all observers.
+//! Caches the results of edge_miss() for the last two eyes, because each frame of a camera that
+//! only turns or circles the axis needs the same one. of() returns 0 for spins up to 0.999, where
+//! tables are accurate for all observers.
 class EdgeMiss {
  public:
   double of(const EyeCamera& eye);

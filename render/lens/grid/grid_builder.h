@@ -31,7 +31,8 @@ struct GridSettings {
   double range = 0.0;  //!< range of the chart; 0: chosen from the budget, see chart_range()
 };
 
-//! Builds the lens grid of a camera at Boyer-Lindquist (r, θ) [M, rad], outside the horizon.
+//! Builds the lens grid of a camera at Boyer-Lindquist (r, θ) [M, rad], on either side of the
+//! horizon.
 //!
 //! Checks each cell of the conforming chart against rays traced at the center of the cell and of
 //! its sides. Splits the cell if the interpolated lens differs from them by more than 0.8 of the

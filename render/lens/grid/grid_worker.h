@@ -53,7 +53,7 @@ class GridWorker {
   std::optional<GridOrder> in_hand_;
   long orders_ = 0;     //!< number of the latest request
   long begun_ = 0;      //!< number of the request that the thread last started
-  long delivered_ = 0;  //!< number of the request whose grid was last returned
+  long delivered_ = 0;  //!< number of the request that the thread last finished, or failed to build
   std::jthread thread_;
 };
 

@@ -8,7 +8,7 @@ namespace ergodome {
 namespace {
 
 //! A node inside the side of a larger leaf: the nodes at the ends of the side, the node's relative
-//! position between them, and the axis of the side (0: γ, 1: s).
+//! position `t` between them, the side's length (γ [turns] or s) and its axis (0: γ, 1: s).
 struct HangingNode {
   int node;
   int ends[2];

@@ -17,8 +17,8 @@ namespace {
 constexpr int reference_step_limit = 400;
 //! Desired number of samples: enough to resolve a thousandth of the sky.
 constexpr double wished_samples = 10'000.0;
-//! Boxes are divided until none has more than this fraction of the total area. One sample in each
-//! quarter of a box then gives at least twice as many samples.
+//! No sample represents more than 1 / wished_parts of the total area on the screen. Most represent
+//! less, because leaves are divided into quarters, and the number of samples is about twice this.
 constexpr double wished_parts = 6'000.0;
 
 //! Returns the weighted quantile of the values: that below which the fraction `share` of the weight
@@ -62,8 +62,8 @@ class ScreenSampler {
     return sum / (side * side) * box.width_turns * box.height;
   }
 
-  //! Adds a sample in each quarter of a box, after dividing the box until no part is larger than
-  //! `maximum` [px²].
+  //! Divides a box into quarters, and these again while they are larger than `maximum` [px²], at
+  //! most deepest_part times. Adds a sample in each undivided part.
   void add(const LeafBox& box, double maximum, int depth, ChartSamples& samples) const {
     for (int quarter = 0; quarter < 4; ++quarter) {
       const double width = 0.5 * box.width_turns;

@@ -27,9 +27,9 @@ struct ChartSamples {
   std::vector<double> extent;
 };
 
-//! Returns sample points in each leaf of a station, ten thousand or more in all. They are denser
-//! where leaves are smaller, whatever the observer. Points of a mirrored station represent both
-//! halves of the sky.
+//! Returns 4 to 64 sample points in each leaf of a station, about ten thousand or more in all. They
+//! are denser where leaves are smaller, whatever the observer. For a mirrored station, also returns
+//! their mirror images.
 ChartSamples leaf_samples(const LensStation& station);
 
 //! Returns sample points, ten thousand or more in all, that are so dense in each leaf of `station`

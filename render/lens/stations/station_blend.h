@@ -17,8 +17,8 @@ class StationBuffers {
  public:
   StationBuffers(Backend backend, LensStation station);
 
-  //! Returns the station with its position and chart, but with empty arrays, except for the nodes
-  //! of a station with derivatives.
+  //! Returns the station with its position, chart and edge. The other arrays are empty, except for
+  //! the nodes and their derivatives, if the station has derivatives.
   [[nodiscard]] const LensStation& station() const { return station_; }
 
   [[nodiscard]] bool has_derivatives() const { return !station_.nodes_along_r.empty(); }

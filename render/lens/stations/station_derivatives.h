@@ -17,9 +17,9 @@ using NodeTracer = std::function<std::vector<float>(const LensPosition& position
 
 //! Fills nodes_along_r and nodes_along_theta.
 //!
-//! Takes central differences over 0.01 rad in θ and over 1 % of radial_measure() in r, with the
-//! rotation of frame_rotation removed. Their error is far below that of a linear step of the same
-//! length.
+//! Takes central differences with steps of ±0.01 rad in θ (limited to [0, π]) and ±1 % of
+//! radial_measure() in r, with the rotation of frame_rotation() removed. Their error is far below
+//! that of a linear step of the same length.
 void add_derivatives(LensStation& station, const NodeTracer& trace);
 
 //! Returns the nodes for a camera at `offset` from a station with derivatives, extrapolated to

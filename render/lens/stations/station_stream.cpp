@@ -63,7 +63,8 @@ std::optional<StationStream::Bracket> StationStream::around(double time_s) const
   const auto at_one_position = [&](std::size_t a, std::size_t b) {
     return all[a].r == all[b].r && all[a].theta == all[b].theta;
   };
-  // Uses one station where the camera stands still, and at the exact time of a station.
+  // Where the camera stands still, and at the exact time of a station, one station suffices if the
+  // other cannot be read.
   const bool first_serves = all[first].time_s == time_s || at_one_position(first, second);
   if (first_serves && bad_.contains(second) && !bad_.contains(first)) {
     return Bracket{first, first, false};

@@ -19,7 +19,7 @@
 namespace ergodome {
 
 //! The stations before and after a moment of a show. `second` is empty where the camera stands
-//! still and at the ends of the path.
+//! still, at the ends of the path, and if only one of them can be read.
 struct StationPair {
   std::shared_ptr<const StationBuffers> first;
   std::shared_ptr<const StationBuffers> second;
@@ -29,8 +29,8 @@ struct StationPair {
   //! Error of blending the disks [px] (StationEntry::disk_gap_error_px); infinite if a station
   //! between them could not be read.
   float disk_gap_error_px = 0.0F;
-  //! Error of blending the lenses, as measured by the bake [px] (StationEntry::gap_error_px); 0 at
-  //! a station.
+  //! Error of blending the lenses, as measured by the bake [px] (StationEntry::gap_error_px); 0 if
+  //! `second` is empty.
   float gap_error_px = 0.0F;
   //! True if a nearer station could not be read; the blending error is then unknown.
   bool skips = false;
@@ -40,7 +40,7 @@ struct StationPair {
 struct StreamStatistics {
   long asked = 0;       //!< calls of StationStream::at()
   long waits = 0;       //!< calls for which the stations were not yet in memory
-  long missed = 0;      //!< calls that waited in vain: no station arrived in time
+  long missed = 0;      //!< calls that returned nothing
   long read = 0;        //!< stations read
   long bad = 0;         //!< stations that could not be read
   long lost_disks = 0;  //!< disk layers that could not be read although their stations could

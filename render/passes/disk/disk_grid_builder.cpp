@@ -141,7 +141,9 @@ class DiskGridBuilder {
     return verdict;
   }
 
-  //! Detects cells whose rays start on both sides of the plane; their checks may miss images.
+  //! Marks a cell as steep if its rays may reach the disk and their phases differ by more than
+  //! `widest_phase`: its checks may miss images. It is then split along the axis along which phases
+  //! differ more.
   void judge_phase(const OpenCell& cell, DiskVerdict& verdict) const {
     const auto at = [&](std::size_t corner) { return phases_[static_cast<std::size_t>(cell.corners[corner])]; };
     const auto apart = [&](std::size_t a, std::size_t b) { return std::abs(at(a).phase - at(b).phase); };
@@ -178,7 +180,7 @@ class DiskGridBuilder {
 
   void make_leaf(const OpenCell& cell, const DiskVerdict& verdict, bool flagged) {
     grid_.make_leaf(cell, verdict.orders != 0 ? verdict.error_px : 0.0F, flagged, verdict.area_px);
-    // If the phase varies too much, the checks may have missed images.
+    // The checks of a flagged cell may have missed images, so it is marked as showing all orders.
     station_.orders.push_back(static_cast<unsigned char>(flagged ? (1U << layer_orders) - 1U : verdict.orders));
   }
 

@@ -7,8 +7,8 @@
 
 namespace ergodome {
 
-//! Builds the grid of a disk for a camera at Boyer-Lindquist (r, θ) [M, rad], outside the horizon.
-//! The disk must have an outer edge.
+//! Builds the grid of a disk for a camera at Boyer-Lindquist (r, θ) [M, rad], on either side of the
+//! horizon. can_have_disk_grid() must be true for the disk.
 //!
 //! Checks each cell that may show an image of the disk against rays traced at its center and at the
 //! midpoints of its sides. Splits it if the interpolated nodes differ by more than 0.8 of the

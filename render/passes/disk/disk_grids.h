@@ -45,8 +45,9 @@ struct DiskGridRequest {
 //! uses its grid again, and so does one whose velocity changes slightly.
 class DiskGrids {
  public:
-  //! Returns the grid for a picture, owned by this object. Returns nothing if rays are cheaper: for
-  //! small pictures, and for positions where most of the grid would be left to rays.
+  //! Returns the grid for a picture, owned by this object. Returns nothing if can_have_disk_grid()
+  //! is false. Unless `asked`, also returns nothing if rays are cheaper: for small pictures, and if
+  //! the grid would leave a quarter of the pixels or more to rays.
   std::optional<DiskGrid> grid_for(const DiskGridRequest& request);
 
   //! Returns the number of grids built so far.
@@ -81,29 +82,31 @@ class DiskGrids {
 //! compare disk_picture/rays and disk_picture/live_grid in tests/bench.
 inline constexpr double min_disk_grid_pixels = 130'000.0;
 
-//! Returns whether building a disk grid for a picture is cheaper than tracing its pixels. On a GPU,
-//! tracing is cheap.
+//! Returns whether building a disk grid for a picture is cheaper than tracing its pixels. On a GPU
+//! it never is.
 inline bool is_worth_a_disk_grid(Backend backend, double pixels) {
   return backend == Backend::cpu && pixels >= min_disk_grid_pixels;
 }
 
 //! Returns whether a show's disk may be read from a grid, if that is cheaper; for shows without
-//! shells. It may not if direct rays are requested, nor with the published quadtree grid, which has
-//! no disk.
+//! shells. It may not on a GPU, if direct rays are requested, or with the published quadtree grid,
+//! which has no disk.
 inline bool may_read_disk_grid(Backend backend, LensChoice lens, GridScheme scheme) {
   return backend == Backend::cpu && lens != LensChoice::direct && scheme == GridScheme::conforming;
 }
 
-//! Returns whether a disk can be read from grids at all. The light of matter inside the innermost
-//! stable orbit depends on the direction of emission, which grids do not store.
+//! Returns whether a disk can be read from grids at all: if it has an outer edge and begins at or
+//! outside the innermost stable orbit. The light of matter inside that orbit depends on the
+//! direction of emission, which grids do not store.
 bool can_have_disk_grid(const DiskAppearance& disk);
 
-//! Returns whether a grid can be used for a disk as it is currently shown. The grid was built for a
-//! disk with these edges [M], with azimuth and time if `pattern`.
+//! Returns whether a grid that was built for these edges [M], with azimuth and time if `pattern`,
+//! can be used for a disk as it is currently shown. The inner edges and the need for a pattern must
+//! be equal; the grid's outer edge must be 1 to 1.5 times the disk's.
 bool serves_disk(double inner_r, double outer_r, bool pattern, const DiskAppearance& disk);
 
-//! Returns the settings of a grid for an eye's picture of a disk. The error budgets keep their
-//! defaults.
+//! Returns the settings of a grid for an eye's picture of a disk: edges, pattern, pixel and
+//! observer. The others keep their defaults.
 DiskGridSettings disk_grid_settings(const EyeCamera& eye, const DiskAppearance& disk, double pixel);
 
 }  // namespace ergodome

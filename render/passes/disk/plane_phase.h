@@ -7,8 +7,8 @@ namespace ergodome {
 
 //! Initial state of a light ray traced backwards from a camera.
 struct StartPhase {
-  //! Phase of the ray's oscillation through the equatorial plane, from 0 (moving straight towards
-  //! it) to π (straight away) [rad].
+  //! Phase of the ray's oscillation through the equatorial plane [rad], from 0 (in the plane and
+  //! moving away from it) to π (arriving at it).
   float phase;
   bool reaches;  //!< true if the light may come from within the disk's outer edge
 };
@@ -24,7 +24,7 @@ class PlanePhase {
  public:
   PlanePhase(const CameraStation& rain, const EdgeCurve& edge, double outer_r);
 
-  //! Returns the initial state at a position in the chart.
+  //! Returns the initial state at a position in the chart; {0, false} if phases are not needed.
   [[nodiscard]] StartPhase at(float gamma_turns, float s) const;
 
  private:

@@ -34,7 +34,7 @@ class ExposurePass : public Pass {
 
   //! Returns the stops of the last frame.
   [[nodiscard]] double stops() const { return exposure_.stops(); }
-  //! Continues from the stops of a frame at `clock_s`, whichever pass followed it.
+  //! Continues from the stops that this or another pass chose for a frame at `clock_s`.
   void follow_from(double stops, double clock_s);
 
  private:

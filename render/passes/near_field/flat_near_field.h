@@ -11,9 +11,10 @@ namespace ergodome {
 //! (kernels/eyes/flat/eye_line.h).
 class FlatNearField {
  public:
-  //! `head` and `shadow`: the head to which the eyes belong, and its shadow. The disk is read from
-  //! NearField::disk_grid if that is set and no object is visible; that grid must be the head's and
-  //! include nearness. `rows` is a buffer reused between pictures, for rows drawn on a GPU.
+  //! `head` and `shadow`: the head to which the eyes belong, and its shadow. If
+  //! NearField::disk_grid is set, pixels without objects read the disk from it; that grid must be
+  //! the head's and include nearness. `rows` is a buffer reused between pictures, for rows drawn on
+  //! a GPU.
   FlatNearField(Backend backend, const NearField& near_field, const EyeCamera& head, const FlatShadow& shadow,
                 Buffer<float>& rows);
 

@@ -18,8 +18,9 @@ namespace ergodome {
 //! order.
 class NearFieldPass : public Pass {
  public:
-  //! Loads the shells' textures and the objects' meshes, or takes them from the pass of the
-  //! previous show. Throws Error if something cannot be read.
+  //! Loads the objects' meshes, and the shells' textures unless the pass of the previous show has
+  //! the same ones. Shares the disk and its grids with that pass. Throws Error if something cannot
+  //! be read.
   explicit NearFieldPass(const PassInput& input);
 
   [[nodiscard]] const PassKind& kind() const override { return near_field_kind; }
@@ -50,7 +51,7 @@ class NearFieldPass : public Pass {
     FlatNearField drawing;
   };
 
-  //! Returns the parts that a picture shows, with the numbers of its view mode.
+  //! Returns the parts that a picture shows, and sets the shells' numbers for its view mode.
   [[nodiscard]] NearField parts_for(const EyePicture& picture) const;
   //! Returns the same for an eye that shares its head's camera. Reads the disk from a grid at the
   //! head, if that is worth building.

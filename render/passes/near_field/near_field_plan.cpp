@@ -45,7 +45,7 @@ class NearFieldPlan {
   void plan_traced_objects(const std::string& objects);
 
  private:
-  //! Returns whether the disk may be empty at times because its edges move.
+  //! Returns whether an animation moves an edge of the disk, which may then be empty at times.
   [[nodiscard]] bool disk_edges_move() const;
   [[nodiscard]] bool has_disk_always() const;
   void plan_disk_grid(const std::string& reason, bool if_needed);
@@ -53,8 +53,8 @@ class NearFieldPlan {
   //! Adds the drawing of a disk without shells: from baked layers, or from a grid if that is
   //! cheaper than rays; with rays for pixels that show traced objects.
   void plan_disk_without_shells(DiskDrawing drawing, const std::string& reason, bool if_needed);
-  //! Adds one ray for each pixel that may see disk, shells or objects, whatever the lens of the sky
-  //! is. `shells`: whether shells are visible.
+  //! Adds the drawing of disk and shells at times when shells are visible (`shells`: one ray per
+  //! pixel, whatever the lens of the sky is) or when they are not (plan_disk_without_shells()).
   void plan_near_rays(bool shells);
   //! Adds a pass over all pixels of both eyes, which share a camera.
   void flat_pass(const std::string& name, const std::string& reason, bool if_needed);
@@ -111,7 +111,7 @@ void NearFieldPlan::plan_disk_without_shells(DiskDrawing drawing, const std::str
     plan_disk_grid(with_budget, if_needed || streamed || plan_.maximum().disk->plunging);
   }
   // Grids may be unusable: plunging matter inside the last stable orbit has no grid, and at some
-  // positions a grid leaves most pixels to rays.
+  // positions a grid leaves a quarter of the pixels or more to rays.
   const bool certain = asked && !plan_.maximum().disk->plunging;
   plan_.pixel_pass(disk_look_up_name(drawing), with_budget, if_needed || !certain);
   if (needs_.traced_objects) {
@@ -158,8 +158,8 @@ void NearFieldPlan::plan_flat_disk(bool if_needed) {
   const bool may_make =
       may_read_disk_grid(plan_.request().backend, plan_.request().lens, plan_.maximum().grid_scheme) &&
       (asked || is_worth_a_disk_grid(plan_.request().backend, pixels));
-  // As for other disks: some disks have no grid, and at some positions a grid leaves most pixels to
-  // rays.
+  // As for other disks: some disks have no grid, and at some positions a grid leaves a quarter of
+  // the pixels or more to rays.
   const bool certain = asked && !plan_.maximum().disk->plunging;
   const bool pattern_changes = needs_.disk_pattern != always_.disk_pattern;
   const std::string reason = plan_.why(needs_.disk_pattern ? "disk.pattern" : "disk");

@@ -17,8 +17,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns the show times to check: those at which the position of an object or the radius of the
-//! horizon may differ.
+//! Returns the show times to check: those of the keys of an object's position and of the spin, and
+//! up to 15 between two of them.
 std::vector<double> sampled_times(const Show& show, const ObjectSettings& object) {
   constexpr std::size_t max_samples = 1024;
   std::vector<double> keys_s = {0.0};

@@ -49,8 +49,8 @@ class ObjectPass : public Pass {
   static long mesh_bytes(const Show& show);
 
  private:
-  //! Places all objects at a show time and returns their range of radii. Throws Error if it is
-  //! outside the range that can be drawn.
+  //! Places all objects at a show time and returns their range of r [M]. Throws Error if an object
+  //! extends beyond nearest_of_objects or farthest_of_objects.
   RadialRange place_objects(double time_s);
 
   std::string show_name_;

@@ -196,8 +196,9 @@ namespace {
 constexpr int object_tile_px = 4;
 constexpr int large_tile_px = 16;
 constexpr int small_tile_px = 2;
-//! Minimum side [px] of tiles that are examined with rays as wide as the tile along a line of sight
-//! of an eye of the model `flat`. Narrower rays cost more than they save later.
+//! Minimum length [px], as the head sees it, of the part of a flat eye's line of sight that one ray
+//! represents; for larger tiles it is the tile's side. Shorter parts cost more than they save
+//! later.
 constexpr int min_part_px = 4;
 
 //! Returns whether the image covers any part of a pixel.

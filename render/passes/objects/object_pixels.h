@@ -18,7 +18,7 @@ class ObjectPixels {
   ObjectPixels(Backend backend, const ObjectScene& objects, int first_row, int row_count,
                const std::optional<FlatEyeSight>& flat = {});
 
-  //! Traces all pixels of the block with the kernels.
+  //! Traces the pixels that may see objects with the kernels; the others stay 0.
   void draw();
 
   //! Returns the light and the time of the block's pixels, in host memory; see ObjectLayer.
@@ -42,8 +42,9 @@ class ObjectPixels {
   //! Returns the tiles that divide a rectangle of the picture, without those outside the image.
   [[nodiscard]] std::vector<std::int32_t> shown_tiles(int left, int right, int top, int bottom, int side_px) const;
 
-  //! Determines which objects the pixels of each tile may see (TileMark). For eyes of the model
-  //! `flat`, reduces each tile's reach to the range in which it sees objects.
+  //! Determines whether the pixels of each tile may see objects, and how they are then sampled
+  //! (TileMark). For eyes of the model `flat`, reduces each tile's reach to the range in which it
+  //! sees objects.
   void trace_marks(Tiles& tiles, int side_px, std::vector<TileMark>& marks) const;
 
   //! Pixels to be traced (x and y of each), sorted by how they are sampled.
@@ -52,7 +53,7 @@ class ObjectPixels {
     std::vector<std::int32_t> stretched;  //!< first sampled with four rays; outlines with slices
     std::vector<std::int32_t> fine;       //!< sampled with sixteen rays
     std::vector<std::int32_t> thin;       //!< first sampled with sixteen slices
-    //! Sampled with more slices, and with many if one of them hits anything.
+    //! First sampled with 36 slices; with 144 if one of them, or of a neighbor's, hits anything.
     std::vector<std::int32_t> edge;
 
     //! Returns the list to which tiles or pixels with a mark belong. The mark must not be
@@ -82,7 +83,7 @@ class ObjectPixels {
   //! Returns for each pixel the range of nearness in which it may see objects.
   [[nodiscard]] std::vector<FlatReach> reach_of(const std::vector<std::int32_t>& pixels) const;
 
-  //! Traces pixels and stores the result.
+  //! Traces pixels with samples² rays or slices each, and stores the results.
   void look_at(const std::vector<std::int32_t>& pixels, PixelPattern pattern, int samples);
 
   //! Returns those pixels of the list that are within the block and satisfy a condition.

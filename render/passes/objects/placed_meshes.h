@@ -12,7 +12,8 @@ namespace ergodome {
 //! The meshes of a show's objects, placed at an instant.
 struct PlacedMeshes {
   std::vector<PlacedMesh> meshes;  //!< one per object
-  //! Minimum radius of the bounding spheres; 0 if one contains the center of the hole [M].
+  //! Distance [M] from the center of the hole to the nearest point of all bounding spheres
+  //! (`min_r`; 0 if one contains the center), and to the farthest (`max_r`).
   double min_r = 0.0;
   double max_r = 0.0;
 

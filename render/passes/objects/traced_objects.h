@@ -39,7 +39,7 @@ class TracedObjects {
     return draw_rows(view, rows, sight);
   }
 
-  //! Returns an upper bound of the radius of all objects at a show time [M].
+  //! Returns an upper bound of r for all points of the objects at a show time [M].
   [[nodiscard]] double farthest_r(double time_s) const;
 
   //! Returns the objects' outlines at a show time.
@@ -72,7 +72,7 @@ class TracedObjects {
   SurfaceStore surfaces_;
   Buffer<SurfaceAppearance> appearances_;
   Buffer<PlacedMesh> placed_;
-  std::optional<std::pair<Spacetime, double>> guessed_for_;  //!< and time
+  std::optional<std::pair<Spacetime, double>> guessed_for_;  //!< spacetime and show time of `guesses_`
   Buffer<LampCorrections> guesses_;
   Buffer<double> cameras_;  //!< camera polynomials of an omnidirectional stereo eye
   Buffer<float> rgba_;

@@ -28,15 +28,16 @@ struct OverlayTarget {
 };
 
 //! Draws captions and images over finished pictures, in their display colors regardless of exposure
-//! and tone. The order is: the show's images, the show's captions, captions that are not part of
-//! the show.
+//! and tone. The order is: the show's images, the show's captions, its readout, captions that are
+//! not part of the show.
 //!
 //! Reads each image once. Draws the letters of a caption when it is first visible, and again when
 //! pictures need a higher resolution. Does nothing if no overlay is visible. Not thread-safe.
 class OverlayPass : public Pass {
  public:
-  //! Reads the images of a show. Throws Error with the show's line if one is missing, too large,
-  //! not a square domemaster, or has numbers out of range.
+  //! Reads the images of a show. Throws Error with the show's line if one is missing or too large,
+  //! a fisheye image is not square, or its width or field of view is out of range. Also throws if
+  //! all images together exceed a memory limit.
   explicit OverlayPass(const Show& show);
 
   [[nodiscard]] const PassKind& kind() const override { return overlay_kind; }
@@ -44,7 +45,8 @@ class OverlayPass : public Pass {
   void finish_frame(FinishedFrame& frame) override;
   //! Images are read again, as their files may have changed.
   [[nodiscard]] bool serves(const Show& /*now*/, const Show& /*next*/) const override { return false; }
-  //! Keeps the language, the extra captions and the texts that have been set.
+  //! Takes the captions, overlays and images of the show of `next`. Keeps the language, the
+  //! captions that are not part of a show, and the texts that have been drawn to images.
   bool take(Pass& next) override;
   [[nodiscard]] std::vector<std::string> notes(const Show& show) const override;
 
@@ -66,8 +68,8 @@ class OverlayPass : public Pass {
   //! over them.
   void set_captions_apart(bool apart) { captions_apart_ = apart; }
 
-  //! Returns whether there may be anything to draw. `time_s`: show time; nullopt: only captions
-  //! that are not part of the show are drawn.
+  //! Returns whether there may be anything to draw. `time_s`: show time; nullopt: only the readout
+  //! and captions that are not part of the show are drawn.
   [[nodiscard]] bool draws_at(std::optional<double> time_s) const;
 
   //! Draws the overlays that are visible at a time. `projection`: overlay_projection() of the
@@ -149,7 +151,7 @@ class OverlayPass : public Pass {
   bool captions_apart_ = false;
   std::map<std::string, Texture> images_;  //!< the show's images, by their names in the show
   std::vector<SetCaption> set_;
-  std::vector<PictureTiles> tiles_;  //!< tiles of the pictures, one set for each projection used
+  std::vector<PictureTiles> tiles_;  //!< tiles of the pictures, for the last two projections
   Buffer<std::int32_t> tile_numbers_;
   long drawn_ = 0;  //!< number of pictures drawn so far
   std::vector<LayerCaption> in_layer_;

@@ -42,8 +42,8 @@ struct PlacedOverlay {
 //! Returns where an overlay appears in a picture; `width` and `height` are its size [rad]. On
 //! domes, cylinders, cubes and full spheres, it appears at its own position. A flat screen shows
 //! only a part of the dome: overlays that extend beyond the screen are moved inside, and shrunk if
-//! they are larger than the screen. Overlays more than 60° from the front are omitted on a flat
-//! screen.
+//! they are larger than the screen. Overlays with an azimuth of more than 60° from the front are
+//! omitted on a flat screen.
 PlacedOverlay placed_overlay(const Projection& projection, const DomePosition& position, double width, double height);
 
 //! Returns the surface on which a caption of a given size [rad], measured along its middle, is

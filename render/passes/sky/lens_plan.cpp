@@ -50,7 +50,8 @@ void plan_omni(PlanWriter& plan, const LensChannels& channels) {
   plan.buffer("lens grid", WorkMoment::position, 0, model);
   plan.pixel_pass(variant(channels, "look_up_omni_pixels"), model, !asked);
   if (!asked) {
-    // Rays are used if a grid would leave most pixels to rays or would need double precision.
+    // Rays are used if a grid would leave a quarter of the pixels or more to rays, or would need
+    // double precision.
     plan.pixel_pass(variant(channels, "trace_omni_pixels"), model, true);
     plan.buffer("shadow edge", WorkMoment::picture, 0, model);
   }
@@ -96,7 +97,7 @@ void plan_lens(PlanWriter& plan, const LensChannels& channels, const ShellsFollo
     plan.buffer("second lens channels", WorkMoment::start, 0, plan.why("stereo.layout"));
   }
   if (!asked) {
-    // Rays are used if a grid would leave most pixels to rays.
+    // Rays are used if a grid would leave a quarter of the pixels or more to rays.
     plan.pixel_pass(variant(channels, "trace_pixels"), quality, true);
   }
   if (streamed) {

@@ -21,8 +21,9 @@ namespace ergodome {
 //! pixel each way, and need no rays. Sides are great circles, and texels are counted by fraction.
 //! An outline is summed along its sides, as the light above each side, signed by the side's
 //! direction, with columns continued across the map's seam. So neither the seam nor the upper pole
-//! is a special case, and the cost of wide outlines depends on their sides only. Outlines wider
-//! than a hemisphere, which near the shadow cover the sky many times, get the mean of the sky.
+//! is a special case, and the cost of wide outlines depends on their sides only. Outlines that
+//! reach more than 1.25 rad from their center, which near the shadow cover the sky many times, get
+//! the mean of the sky.
 class PolygonFilter {
  public:
   //! `sky_from_map`: rotation from the map's axes to the hole's sky axes. `fit`: as for ColumnSums.

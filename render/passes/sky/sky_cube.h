@@ -16,10 +16,10 @@ namespace ergodome {
 //! The sky as a cube map with mip levels, in the memory of a backend.
 class SkyCube {
  public:
-  //! Resamples an equirectangular image, rotated to the hole's sky axes, to about as many texels as
-  //! the image has. If `fit` is not null, each texel also stores the temperature of its color
-  //! (kernels/sky/cube_map.h), for SkyShift::blackbody_fit. `name`: name of the memory in the work
-  //! counters.
+  //! Resamples an equirectangular image, rotated to the hole's sky axes. The width of a face is a
+  //! quarter of the image's, rounded up to a power of two and limited to 2048. If `fit` is not
+  //! null, each texel also stores the temperature of its color (kernels/sky/cube_map.h), for
+  //! SkyShift::blackbody_fit. `name`: name of the memory in the work counters.
   SkyCube(Backend backend, const EnvironmentImage& image, const glm::dmat3& sky_from_map,
           const TemperatureFit* fit = nullptr, const char* name = "sky map");
 

@@ -6,8 +6,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns whether two cameras have equal positions and axes, up to rounding. Their velocities may
-//! differ by rounding, and their azimuths by any angle.
+//! Returns whether two cameras have the same spacetime, r and θ (up to rounding) and kind of
+//! motion. Does not compare azimuths, orientations and velocities.
 bool stand_alike(const EyeCamera& a, const EyeCamera& b) {
   return a.spacetime == b.spacetime && same_position({a.r, a.theta}, {b.r, b.theta}) && a.motion == b.motion;
 }

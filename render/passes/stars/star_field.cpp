@@ -17,8 +17,8 @@ constexpr std::size_t min_stars = 64;
 //! Approximate mean number of stars per cell.
 constexpr double stars_a_cell = 1.0;
 constexpr int max_bands = 2048;
-//! Number of steps of ln illuminance in which stars are counted, and the smallest illuminance with
-//! a step of its own.
+//! Stars are counted in `counted_steps` steps of ln illuminance, each `counted_step` wide, from the
+//! dimmest star on, but not from below `log_min_counted`.
 constexpr int counted_steps = 512;
 constexpr float counted_step = 0.05F;
 constexpr float log_min_counted = -60.0F;

@@ -63,8 +63,8 @@ SplatSettings splat_settings(const Show& show, const std::optional<DiffractionPa
   return splat;
 }
 
-//! Returns whether two settings give the same spike pattern. A pattern from a file does not depend
-//! on the aperture settings.
+//! Returns whether two settings that differ at most in animatable numbers give the same spike
+//! pattern. A pattern from a file does not depend on the aperture settings.
 bool same_pattern(const DiffractionSettings& a, const DiffractionSettings& b) {
   return !a.pattern.empty() || (a.obstruction == b.obstruction && a.scale == b.scale);
 }

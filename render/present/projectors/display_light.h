@@ -22,8 +22,8 @@ class DisplayLight {
   void update(const PresentedPicture& picture);
 
   //! Binds the light (linear, 0 to 1, top row first) to a texture unit of the current context,
-  //! which must share objects with the presenter's, after the GPU has finished it. Returns false if
-  //! there is no light yet.
+  //! which must share objects with the presenter's. Later commands of that context wait until the
+  //! GPU has computed it. Returns false if there is no light yet.
   bool use(unsigned unit) const;
 
  private:

@@ -17,8 +17,8 @@ namespace ergodome {
 enum class ProjectorDrawer { automatic, opengl, processor, cuda };
 
 //! Draws a dome's projector images without a window or a display: with OpenGL through EGL on a GPU,
-//! otherwise on the CPU. Pictures that CUDA rendered are drawn with CUDA, because such GPUs may
-//! have few units for OpenGL.
+//! otherwise on the CPU. ProjectorDrawer::cuda is meant for pictures that CUDA rendered, because
+//! such GPUs may have few units for OpenGL.
 class HeadlessProjectors {
  public:
   //! Throws Error if OpenGL is requested and no driver offers version 4.5 without a display, or if
@@ -39,7 +39,8 @@ class HeadlessProjectors {
  private:
   struct OpenGl;
   void open_without_cuda(const std::vector<ProjectorPicture>& pictures, ProjectorDrawer drawer);
-  //! Draws a domemaster with CUDA. Returns false if CUDA fails; it is then not used again.
+  //! Draws a domemaster with CUDA. Returns false if CUDA is not in use or fails; in the second
+  //! case, drawing changes to ProjectorDrawer::automatic for good.
   bool show_by_cuda(const Picture& master);
 
   std::unique_ptr<SoftwareProjectors> cuda_;

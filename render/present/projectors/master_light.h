@@ -30,7 +30,7 @@ class LightTiles {
   //! Adds all tiles of finer levels from which the needed tiles are averaged.
   void complete();
 
-  //! Returns the needed tiles of a level.
+  //! Returns the indices of the needed tiles of a level: row times tiles per row plus column.
   [[nodiscard]] std::vector<std::int32_t> tiles(int level) const;
 
  private:

@@ -9,7 +9,8 @@
 namespace ergodome {
 
 //! Draws one projector's view of a domemaster: the master's light through the warp, blended, lifted
-//! and encoded for the projector. projector_light.h has the formula, in the order of its steps.
+//! and encoded for the projector. tests/render/present/projectors/projector_light.h has the
+//! formula, in the order of its steps.
 class ProjectorDrawing {
  public:
   //! Binds to the current OpenGL context. Throws Error if the driver rejects the shader.

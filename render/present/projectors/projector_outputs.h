@@ -14,7 +14,8 @@ namespace ergodome {
 //! outside all monitors.
 void require_outputs(const DomeSetup& setup, const std::vector<DesktopMonitor>& monitors);
 
-//! Returns the desktop rectangles of a setup's projectors. Their monitors must be connected.
+//! Returns the desktop rectangles of a setup's projectors: the monitor, or the window if no monitor
+//! is set or it is not connected.
 std::vector<DesktopRectangle> output_rectangles(const DomeSetup& setup, const std::vector<DesktopMonitor>& monitors);
 
 //! Returns a position for a window that projectors would cover at its current position. Returns

@@ -60,7 +60,7 @@ Buffer<T> zeros(std::size_t count) {
   return made;
 }
 
-//! Moves a buffer from host memory to the backend's memory, if that is a GPU.
+//! Moves a buffer from host memory to the backend's memory.
 template <class T>
 void move_there(Backend backend, Buffer<T>& buffer) {
   Buffer<T> there(backend, buffer.size(), "projector's warp");
@@ -72,7 +72,8 @@ float channel_of(const Vector3<double>& v, int channel) {
   return static_cast<float>(channel == 0 ? v.x : channel == 1 ? v.y : v.z);
 }
 
-//! Quantization of a group's values: evenly spaced numbers from their minimum to their maximum.
+//! Quantization of a group's positions to 65536 evenly spaced values from their minimum to their
+//! maximum.
 struct Lattice {
   float first = 0.0F;
   float step = 0.0F;
@@ -112,8 +113,8 @@ class ProjectorWarp::Builder {
   }
 
  private:
-  //! Returns the mip level, in steps of a fraction of a level, at which texels have the size of the
-  //! projector's pixel.
+  //! Returns the mip level at which texels have the size of the projector's pixel, in units of 1 /
+  //! warp_level_steps of a level.
   [[nodiscard]] std::uint8_t level_of(const MeshSample& sample) const {
     const auto width = static_cast<float>(warp_.tiles_.width(0));
     const auto height = static_cast<float>(warp_.tiles_.height(0));

@@ -15,7 +15,7 @@ class ProjectorWarp {
  public:
   ProjectorWarp(const ProjectorPicture& picture, int master_width, int master_height, Backend backend);
 
-  //! Returns the parts of the master that the projector shows.
+  //! Returns the tiles of the master's light that the projector's pixels read, on each mip level.
   [[nodiscard]] const LightTiles& tiles() const { return tiles_; }
 
   //! Returns the input with which warp_pixels() fills a raster with the projector's values. `light`

@@ -28,8 +28,8 @@ struct Screen {
   std::unique_ptr<TextPanel> panel;
   std::unique_ptr<Presenter> raster;    //!< shows a raster instead of the projector's image, if set
   std::unique_ptr<RasterTexture> sent;  //!< the image that kernels drew, if OpenGL does not draw it
-  //! True if the warp was changed since the windows were opened. It is then drawn by OpenGL,
-  //! because kernels need a second of CPU time to prepare a warp.
+  //! True if the warp was changed since the windows were opened, or may be (WarpUse::adjusted). It
+  //! is then drawn by OpenGL, because kernels need a second of CPU time to prepare a warp.
   bool changed = false;
 };
 
@@ -63,7 +63,8 @@ struct ProjectorWindows::State {
   std::unique_ptr<DisplayLight> light;
   std::vector<Screen> screens;
   std::vector<ProjectorPicture> pictures;
-  std::unique_ptr<SoftwareProjectors> software;  //!< draws on the CPU; set if OpenGL has no GPU
+  //! draws on the CPU; set if OpenGL has no GPU and warps are fixed
+  std::unique_ptr<SoftwareProjectors> software;
   //! Draws with CUDA; set when CUDA has rendered a picture.
   std::unique_ptr<SoftwareProjectors> cuda;
   //! True if the light of the current picture was computed by CUDA.
@@ -73,7 +74,7 @@ struct ProjectorWindows::State {
   int of_another_size = 0;
   bool control_shown = true;
   long version = -1;        //!< version of the last domemaster that was drawn
-  long light_version = -1;  //!< version of the last domemaster whose display light was computed
+  long light_version = -1;  //!< version of the last domemaster whose display light OpenGL computed
   float dimmed = 1.0F;      //!< factor on the display's light
   //! Captions that are drawn over the domemaster.
   std::unique_ptr<CaptionTexture> captions = std::make_unique<CaptionTexture>();

@@ -23,9 +23,9 @@ enum class WarpUse { fixed, adjusted };
 class ProjectorWindows {
  public:
   //! `control` must outlive this object, and stays current. It is moved to a monitor that no
-  //! projector fills, next to existing windows if there is room, and is kept in front of them.
-  //! Without such a monitor, or with `hide_control`, it is hidden. Throws Error if a monitor is
-  //! missing, or if a window would lie outside all monitors or cannot be opened.
+  //! projector fills, beside the projectors' windows there if there is room, and is kept in front
+  //! of them. Without such a monitor, or with `hide_control`, it is hidden. Throws Error if a
+  //! monitor is missing, or if a window would lie outside all monitors or cannot be opened.
   ProjectorWindows(Window& control, const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures,
                    bool hide_control, WarpUse use = WarpUse::fixed);
   ~ProjectorWindows();
@@ -33,7 +33,8 @@ class ProjectorWindows {
   ProjectorWindows& operator=(const ProjectorWindows&) = delete;
 
   //! Must be called when the control window's presenter has a new picture. `picture` is a copy of
-  //! it in CUDA memory, if there is one; CUDA draws from that copy before this function returns.
+  //! it in CUDA memory, if there is one; CUDA computes its display light before this function
+  //! returns. After a change of size, OpenGL draws 119 pictures first.
   void take(const DevicePicture* picture);
 
   //! Draws the presenter's picture `master` in all windows, then shows them all; the first one
@@ -44,10 +45,11 @@ class ProjectorWindows {
   //! without a layer, removes them. Captions have the layer's resolution.
   void lay_over(const LaidCaptions& captions);
 
-  //! Replaces a projector's warp, offsets and colors, but not its masks.
+  //! Replaces a projector's warp, offsets and colors, but not its masks. OpenGL draws its image
+  //! from now on.
   void change(std::size_t projector, const ProjectorPicture& picture);
 
-  //! Replaces a projector's picture including its masks.
+  //! Replaces a projector's warp, colors and masks. OpenGL draws its image from now on.
   void replace(std::size_t projector, const ProjectorPicture& picture);
 
   //! Sets the text that is shown over a projector's image; empty: none.
@@ -79,10 +81,12 @@ class ProjectorWindows {
 
   //! Computes the display light or the rasters for a new domemaster.
   void update(const PresentedPicture& master);
-  //! Draws the rasters of the projectors `by_kernels` with CUDA. Returns false if CUDA fails; it is
-  //! then not used again.
+  //! Draws the rasters with CUDA and uploads those of the projectors `by_kernels`. Returns false if
+  //! CUDA has no light of the current picture, if `by_kernels` is empty, or if CUDA fails; in the
+  //! last case it is not used again.
   bool update_by_cuda(const PresentedPicture& master, const std::vector<std::size_t>& by_kernels);
-  //! Draws a raster and uploads it to its window.
+  //! Uploads the raster that kernels drew to the projector's window. Rasters of the CPU are drawn
+  //! here.
   void send(std::size_t projector);
   void update_light(const PresentedPicture& master);
   void leave_others_to_opengl(const PresentedPicture& master, const std::vector<std::size_t>& by_kernels);

@@ -15,9 +15,9 @@ struct RadialRange {
   bool operator==(const RadialRange&) const = default;
 };
 
-//! Returns the range of radii for which a table is computed: slightly wider than `range`. Only few
-//! such ranges exist, so that objects can move without a new table. The result does not depend on
-//! earlier pictures.
+//! Returns the range of radii for which a table is computed: `range`, extended inward to one of a
+//! few radii and outward to a power of two, so that objects can move without a new table. The
+//! result does not depend on earlier pictures.
 RadialRange table_range(const RadialRange& range);
 
 //! A table of connecting rays as a texture in the current OpenGL context. Texels are nodes of

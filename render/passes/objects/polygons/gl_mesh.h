@@ -27,8 +27,8 @@ class GlMesh {
 
   //! Binds the buffers for the following draw calls.
   void bind() const;
-  //! Draws a part as patches of three vertices. The tessellator divides each edge into at most
-  //! `max_level` pieces.
+  //! Draws a part as patches of three vertices. `max_level`: maximum number of pieces into which
+  //! the shaders divide an edge; limits the patches per draw call if OpenGL renders on the CPU.
   void draw(const Part& part, double max_level) const;
 
  private:

@@ -12,7 +12,7 @@ namespace ergodome {
 enum ObjectUniform : int {
   //! Mat3: from the mesh's coordinates to the rest frame, including the size.
   uniform_model = 0,
-  uniform_position = 1,  //!< vec3: center of the mesh [M]
+  uniform_position = 1,  //!< vec3: position of the mesh's origin [M]
   uniform_turn = 2,      //!< mat3: uniform_model without the size
   uniform_order = 3,     //!< int: image order, from 1
   //! Vec4: minimum and maximum of 1/r in the table, the observer's r, √(1 - 2/r) at the observer.
@@ -52,9 +52,9 @@ inline constexpr int unit_image = 2;
 //! Uniform block: polynomials of omnidirectional stereo eyes (OmniView).
 inline constexpr int block_eyes = 0;
 
-//! The kind of eye that sees the positions: a camera, an omnidirectional stereo eye, or an eye of the model `flat`
-//! beside a head whose lens both eyes use. Each variant of the shaders is compiled separately,
-//! without the uniforms of the others.
+//! The kind of eye that sees the positions: a camera, an omnidirectional stereo eye, or an eye of
+//! the model `flat` beside a head whose lens both eyes use. Each variant of the shaders is compiled
+//! separately, without the uniforms of the others.
 enum class ObjectSight { camera, omni, beside };
 
 std::string object_vertex_source();

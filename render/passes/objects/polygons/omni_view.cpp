@@ -15,8 +15,9 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t omni_numbers = 4 * omni_groups;
-//! Accepted errors of the fit: of directions [rad], and relative errors of radii. Rounding errors
-//! in single precision are about as large.
+//! Errors of the fit: of directions [rad], and relative errors of radii. The degree is increased
+//! until the error is at most `fine_omni_fit`, about the rounding error of float; at the maximum
+//! degree, `coarsest_omni_fit` is accepted.
 constexpr double fine_omni_fit = 1e-6;
 constexpr double coarsest_omni_fit = 1e-4;
 

@@ -4,8 +4,9 @@
 
 namespace ergodome {
 
-//! Maximum distance of pixels, to each side of its center, that a point's light reaches: a cutoff
-//! of 100 px in a dome four times finer than the one for which it was configured.
+//! Maximum distance of pixels, to each side of its center, that a point's light reaches: three
+//! times the largest sigma_px (100) in a dome four times finer than the one for which it was
+//! configured.
 inline constexpr int widest_splat_px = 1201;
 
 //! Fractions of a Gaussian that fall on adjacent pixels, starting at pixel `first`; they add up to

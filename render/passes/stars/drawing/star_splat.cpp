@@ -18,8 +18,8 @@ constexpr int splat_band_rows = 32;
 
 double row_of(const StarPoint& point) { return std::floor(point.y_px); }
 
-//! Returns whether all pixels of a rectangle are entirely inside the image. It suffices to test the
-//! corners for all projections except cubes, whose faces are drawn separately.
+//! Returns whether all pixels of a rectangle are entirely inside the image, which follows from its
+//! corners; false for cubes, for which it does not.
 bool is_all_inside(const Projection& projection, int left, int right, int top, int bottom) {
   const auto inside = [&](int x, int y) { return image_coverage(projection, x + 0.5, y + 0.5) >= 1.0; };
   return projection.kind != ProjectionKind::cube && inside(left, top) && inside(right, top) && inside(left, bottom) &&

@@ -22,13 +22,14 @@ struct SplatSettings {
   double spike_reach_px = 0.0;
   double cutoff_px = 0.0;  //!< radius at which the Gaussian ends; 0: three sigma
 
-  //! Returns how far the light of a point may reach from its center.
+  //! Returns how far from its center the light of a point may reach [px]: a pixel more than the
+  //! radius at which the Gaussian ends.
   [[nodiscard]] double reach_px() const;
 };
 
-//! Returns the settings scaled to a picture. Spots in domes and full-sky pictures are specified in
-//! pixels of a 4k picture. In finer pictures they keep that angle, because smaller spots would be
-//! invisible in a dome. No spot extends beyond widest_splat_px.
+//! Returns the settings scaled to a picture. Except on flat screens, spots are specified in pixels
+//! of a 4k dome (π / 4096 rad). In finer pictures they keep that angle, because smaller spots would
+//! be invisible in a dome, as far as widest_splat_px allows. Does not change them on flat screens.
 SplatSettings scaled_to(const SplatSettings& settings, const Projection& projection);
 
 //! Returns the regions of a picture (PictureRegion), on which star images become points.

@@ -21,7 +21,7 @@ class CornerRows {
   CornerRows(const StarEye& eye, const Projection& projection)
       : eye_(eye), projection_(projection), width_(static_cast<std::size_t>(projection.width_px) + 1) {}
 
-  //! Traces the corners of the next rows of pixels.
+  //! Traces the corners of rows of pixels, which must directly follow those of the previous call.
   void trace(int first_row, int row_count);
 
   //! Returns the index of the top left corner of a pixel. If the picture covers a full turn, its

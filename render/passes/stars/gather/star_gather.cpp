@@ -99,9 +99,9 @@ class Gatherer {
     return (side >= 0.0) == forwards;
   }
 
-  //! Returns whether a triangle of the polygon contains a star. Stars on the opposite side of the
-  //! sky do not count. The triangle may be mirrored. `weights`: barycentric weights of its corners,
-  //! not normalized.
+  //! Returns whether a triangle of the polygon contains a star, which must be on the triangle's
+  //! side of the sky, as those found by search() are. The triangle may be mirrored. `weights`:
+  //! barycentric weights of its corners, not normalized.
   [[nodiscard]] bool holds(const Quad& quad, const std::size_t (&half)[3], const Vector3<double>& star,
                            double (&weights)[3]) const {
     const bool first = is_left(star, quad[half[0]], quad[half[1]], weights[2]);

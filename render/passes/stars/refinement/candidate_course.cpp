@@ -29,8 +29,8 @@ constexpr int on_way_rounds = 6;
 //! Maximum number of double-precision rounds for candidates next to caustics, far from their
 //! initial position.
 constexpr int max_course_rounds = 24;
-//! A candidate whose distance from its star exceeds this after the first rounds does not converge;
-//! in units of the distance to the shadow's edge.
+//! A candidate whose `miss` exceeds this after the first rounds does not converge; in units of the
+//! distance to the shadow's edge.
 constexpr double lost_miss = 2.0;
 //! Miss above which no light arrived in that direction [rad].
 constexpr double no_light = 1e29;
@@ -182,9 +182,9 @@ Start double_start(const StarCandidate& c, const ImageSearch& search) {
   return change_by_rounding(c, values) > max_change ? Start::found : Start::none;
 }
 
-//! Returns whether a candidate next to a caustic needs the finest rays: double-precision rays have
-//! come close to the star. Most candidates there are not images, so only such ones get the more
-//! expensive rays.
+//! Returns whether a candidate next to a caustic needs the finest rays: its `miss` is at most
+//! `near_px`, and it is not too faint. Most candidates there are not images, so only such ones get
+//! the more expensive rays.
 bool needs_finest(const StarCandidate& c, const ImageSearch& search) {
   // At this distance from its position, an image has about its final brightness.
   constexpr double hair = 0.05;

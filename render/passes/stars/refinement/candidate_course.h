@@ -24,8 +24,9 @@ struct CandidateCourse {
   double short_of = 0.0;
 };
 
-//! Evaluates the last ray of a candidate. Returns the kind of the next ray, or nothing if the
-//! candidate is finished.
+//! Evaluates the last ray of a candidate and updates its course. Returns the kind of the next ray,
+//! or nothing if the candidate is finished. A candidate that is rejected as too faint or beyond a
+//! fold gets a `miss` of 1e30 rad; a search in double precision may restart at `course.begin`.
 std::optional<RayKind> next_ray(StarCandidate& candidate, CandidateCourse& course, const ImageSearch& search);
 
 }  // namespace ergodome

@@ -19,7 +19,8 @@ namespace ergodome {
 enum class RayKind : std::uint8_t { quick, fine, finest };
 inline constexpr std::size_t ray_kinds = 3;
 
-//! Returns the distance from the star below which an image is accepted [rad].
+//! Returns the maximum `miss` of an accepted image for a kind of rays [rad]: its estimated distance
+//! from its exact position. `pixel`: angle of a pixel [rad].
 double last_miss(RayKind kind, double pixel);
 
 //! Traces rays for the candidates of a search. Its destructor adds the number of rays and their

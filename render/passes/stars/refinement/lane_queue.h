@@ -17,8 +17,8 @@ namespace ergodome {
 //! and put back those that need another round. A SIMD computation processes a lot in the time of
 //! one item. No item waits for the rounds of other items.
 //!
-//! Items are numbers. Each round has one of `Kinds` kinds, which are not mixed within a lot; an
-//! item's later rounds have higher kinds.
+//! An item is an index. Each round has one of `Kinds` kinds, which are not mixed within a lot; the
+//! kind of an item's rounds never decreases.
 template <std::size_t Kinds>
 class LaneQueue {
  public:

@@ -8,12 +8,12 @@
 
 namespace ergodome {
 
-//! Finds all positions at which possibly folded patches contain stars, on the CPU. Patches, as seen
-//! from one star each, are halved for as long as their control points leave room for the star. The
-//! kernels process parts of many pairs together, depth first.
+//! Finds all positions at which possibly folded patches contain stars, on the CPU. For each pair of
+//! a patch and a star, the patch is halved as long as the control points of a part do not exclude
+//! the star. The kernels process parts of many pairs together, depth first.
 class FoldedSearch {
  public:
-  //! Finds the roots of pairs.
+  //! Finds the roots of pairs: the positions in the patch at which the star is seen.
   void search(const PatchPairBatch& pairs);
 
   //! Returns the roots of a pair that the last search found.

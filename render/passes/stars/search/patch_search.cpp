@@ -133,8 +133,8 @@ void PatchSearch::search_slice(PatchSearchBatch batch, int pairs) {
   run(batch, PatchSearchStep::take_roots, pairs);
 }
 
-//! Returns the lengths of the lists. If one exceeds its capacity, the result is incomplete and the
-//! list must be enlarged.
+//! Runs all steps of a search and returns the lengths of the lists. If one exceeds its capacity,
+//! the result is incomplete, and the search must be repeated with a larger list.
 PatchSearch::Counts PatchSearch::search(PatchSearchBatch batch) {
   clear(backend_, counts_, list_count);
   run(batch, PatchSearchStep::find_pairs, batch.patch_threads * batch.inputs.sides * batch.inputs.patch_count);

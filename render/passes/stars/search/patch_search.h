@@ -87,7 +87,8 @@ class PatchSearch {
   Result find(const PlacedPatches& patches, const Request& request);
 
  private:
-  //! The lists in GPU memory whose lengths kernels count.
+  //! The lists in GPU memory whose lengths kernels count; `lost_parts` counts parts for which there
+  //! was no room.
   enum List { regular, bent, folded, images, exact, halved, halves, last_regular, last_folded, lost_parts, list_count };
   using Counts = std::array<std::int32_t, list_count>;
 

@@ -71,7 +71,7 @@ StarAppearance appearance_of(const StarSettings& settings) {
 }
 
 //! Converts an approximate image to a candidate, using what the observer sees at its position. Sets
-//! star to -1 if it is too faint or out of view.
+//! star to -1 if it is too faint or out of view, unless its position is only a guess.
 StarCandidate candidate_of(const RoughImage& image, const FieldStar& star, const ImageObserver& observer,
                            const ObservedPositions& positions, std::size_t i, const StarSettings& settings) {
   const float g = positions.frequency_ratio[i];

@@ -43,9 +43,9 @@ struct DeviceSearch {
   ImageJoiner& joiner;
 };
 
-//! Builds a lens grid for finding star images. `tracer`, if given, traces its nodes. For an ODS
-//! eye, the grid covers all of its cameras: an image lies where the camera of its pixel sees the
-//! star.
+//! Builds a lens grid for finding star images. `tracer`, if given, traces the nodes for a single
+//! camera. For an ODS eye, the grid covers all of its cameras: an image lies where the camera of
+//! its pixel sees the star.
 LensStation build_star_station(const StarEye& eye, const StarSettings& settings, GridTracer<float>* tracer = nullptr);
 
 //! Inverts a lens grid for an eye at the grid's position. `station` and `settings` must be the same
@@ -58,7 +58,8 @@ inline StarPatches star_patches(const StarField& field, const BlackbodyTable& co
   return star_patches(field, colours, eye, station, settings, room);
 }
 
-//! Finds all images of all stars whose illuminance is at least `settings.faintest`.
+//! Finds the images of all stars that are in `settings.view` and have an illuminance of at least
+//! `settings.faintest`.
 //!
 //! Approximate positions come from `patches`, which were computed from the grid of `station` (at
 //! the eye's position); exact ones come from traced rays. Each image is found once. Where images

@@ -43,7 +43,7 @@ enum class Extent {
   narrow  //!< narrow enough for bounds by planes
 };
 
-//! Finds the axis of a patch.
+//! Returns the extent of a patch and, unless that is `none`, the direction of its center in `axis`.
 Extent extent_of(const BezierPatch& patch, Vector3<double>& axis) {
   const Vector3<double> sum =
       control_point(patch, 0) + control_point(patch, 3) + control_point(patch, 12) + control_point(patch, 15);
@@ -93,10 +93,9 @@ Stretching stretching_of(const PatchMeasures& measures, const StarPatch& patch) 
   return {true, folded_magnification(measures.largest_camera, sky_range, patch.width_turns * patch.height)};
 }
 
-//! Returns the maximum factor by which an image may be brighter than according to the grid. Uses
-//! the bound from the grid's error, but at most the largest errors that were found in tests: in
-//! regular patches mostly 1 %, rarely 30 %; next to the shadow's edge, where patches are bent and
-//! images faint, many-fold.
+//! Returns the maximum factor by which an image may be brighter than according to the grid: the
+//! bound from the grid's error (`by_error`), limited by the largest errors that were found in
+//! tests. The limit is 1.35 in regular patches and 2 to 8 in bent ones; folded ones always get 8.
 float max_brighter(float by_error, PatchShape shape) {
   constexpr float min_bend = 2.0F;
   constexpr float max_regular = 1.35F;
@@ -179,7 +178,7 @@ void StarPatches::join(PatchRoom& room) {
   });
 }
 
-//! Sets the accuracy of images in a leaf's patch from the errors that the leaf's check rays
+//! Sets `brighter` and `exact` of a leaf's patch from the errors that the leaf's check rays
 //! measured. `error_px`: error of the leaf.
 void StarPatches::set_error(float error_px, StarPatch& patch) const {
   // A cubic with error e on a side of length h has a slope error of e √3 384 / (216 h). To first

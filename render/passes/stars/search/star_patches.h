@@ -20,8 +20,9 @@ class ImageLight {
   ImageLight(const ImageLight&) = delete;
   ImageLight& operator=(const ImageLight&) = delete;
 
-  //! Returns the aberration from the rain frame to the observer's frame, and the energy at infinity
-  //! as a function of the direction in the rain frame.
+  //! observer() returns the aberration between the observer's frame and the rain frame
+  //! (aberration_to_rain()), energy() the energy at infinity as a function of the direction in the
+  //! rain frame.
   [[nodiscard]] virtual AberrationOf<float> observer() const = 0;
   [[nodiscard]] virtual DirectionForm<float> energy() const = 0;
 
@@ -48,7 +49,8 @@ struct PatchRoom {
 //! Images found in the corrected grid need no rays if its error is below this [px].
 inline constexpr float exact_grid_px = 0.008F;
 
-//! An inverted lens grid: patches that map positions on the sky to positions in the lens chart.
+//! An inverted lens grid: patches of the lens chart with the parts of the sky that they show, in
+//! which the search finds the chart positions of a star's images.
 class StarPatches {
  public:
   //! Computes patches for the search of images of at least `faintest` lx. Patches are finer where
