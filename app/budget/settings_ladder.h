@@ -14,7 +14,7 @@ struct Rung {
   FrameQuality quality;
   int size_px = 0;        //!< width of one eye's picture
   double error_px = 0.0;  //!< measured error of its lens [px of the whole picture]
-  int moments = 0;        //!< number of times at which it was measured
+  int moments = 0;        //!< number of show times at which the error was measured
   double frame_ms = 0.0;  //!< predicted from the measurement; NaN: unknown
 };
 

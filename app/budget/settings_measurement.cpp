@@ -71,7 +71,7 @@ class SettingsMeter {
   SettingsMeasurement measure(const Show& show) {
     find_moments(show);
     check_lens();
-    // Done before measuring lenses, which could use up all the time.
+    // Times pictures before it measures lenses, which could use up all the time.
     if (has_objects(show, ObjectMethod::polygon) && renderer_.backend() == Backend::cpu) {
       result_.untimed = UntimedFrames::polygons;
     } else {

@@ -15,7 +15,7 @@ struct PadView {
   int number = 0;
   bool connected = false;  //!< false: gone since the last snapshot, or could not be opened
   bool absent = false;     //!< a receiver is connected, but its controller is not
-  bool stuck = false;      //!< an axis is ignored because it does not move
+  bool stuck = false;      //!< an axis is ignored because it stays deflected without any motion
   //! State after applying the settings; at rest once the controller is gone.
   PadState state;
   PadPresses presses{};        //!< presses of each button since the last snapshot

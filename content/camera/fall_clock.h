@@ -43,7 +43,7 @@ class FallClock {
   //! Intervals of show time, on each of which the clock rate is a polynomial.
   std::vector<Piece> pieces_;
   std::optional<double> stop_;
-  //! Proper time before the stop at which the clock begins to slow down [M].
+  //! Proper time from the moment when the clock begins to slow down to its stop at `stop_` [M].
   double stopping_ = 0.0;
 };
 

@@ -56,12 +56,12 @@ SpanEnds span_ends(std::size_t count, std::size_t i, const std::function<CurveKe
 //! its neighbors, limited so that neither span reverses or overshoots its other key.
 KeyMotion shared_motion(const Chord& before, const Chord& after);
 
-//! Returns the motion at the beginning of a span with chord `own`; `before` is the chord on the
-//! other side of the key.
+//! Returns the two derivatives at the beginning of a span with chord `own`; `before` is the chord
+//! on the other side of the key.
 KeyMotion motion_at_begin(SpanEnd end, const Chord& before, const Chord& own);
 
-//! Returns the motion at the end of a span with chord `own`; `after` is the chord on the other side
-//! of the key.
+//! Returns the two derivatives at the end of a span with chord `own`; `after` is the chord on the
+//! other side of the key.
 KeyMotion motion_at_end(SpanEnd end, const Chord& own, const Chord& after);
 
 //! Returns the quintic from `from` to `to` in `span_s` with these motions at its ends, at t in [0,

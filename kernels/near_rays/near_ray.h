@@ -19,8 +19,8 @@ struct NearRay {
   T shear_constant;          //!< K = Q + (L - a E)² >= 0 [M²]
   T u;                       //!< 1 / r [1/M]
   T u_rate;                  //!< du/dλ; u_rate² = E² + (a² E² - C) u² + 2 K u³ - a² Q u⁴
-  //! Polar position without frame dragging, φ = 0 at the camera (for omnidirectional stereo, at the
-  //! head).
+  //! Polar position, a unit vector as in RayStart: without frame dragging, φ = 0 at the camera (for
+  //! omnidirectional stereo, at the head).
   Vector3<T> m;
   Vector3<T> m_rate;  //!< dm/dλ [M]
   //! As in RayStart: azimuth and time of light that only comes in are in ingoing Kerr coordinates

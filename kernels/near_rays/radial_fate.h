@@ -5,7 +5,7 @@
 // Decides whether rays turn, fall into the hole or escape.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Where a ray may turn between the horizon and infinity.
+//! The barrier between the horizon and infinity that may turn a ray back, on either side of it.
 template <class Real>
 struct RadialFate {
   MaskOf<Real> turns;  //!< a barrier outside the horizon turns back a ray that comes to it

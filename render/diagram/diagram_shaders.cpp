@@ -74,7 +74,7 @@ void main() {
   vec4 end = gl_VertexID < 2 ? a : b;
   float side = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
   beside = side;
-  // Half a width longer at both ends, so that neighbors meet without a gap.
+  // Longer by a fifth of the width at both ends, so that neighbors meet without a gap.
   vec2 shift = vec2(-along.y, along.x) * side + along * (gl_VertexID < 2 ? -0.4 : 0.4);
   end.xy += shift * (0.5 * width) * pixel * end.w;
   gl_Position = end;

@@ -38,7 +38,8 @@ bool clash(const Use& a, const Use& b) {
   return a.steers != b.steers && (shifted(a, b) || shifted(b, a));
 }
 
-//! Returns the error about an unknown name in a list; it suggests the closest known name.
+//! Returns the error about a name in a list that is unknown, or that the list does not accept. For
+//! an unknown name, it suggests the closest known one.
 Error unknown(const TomlTable& table, std::string_view key, const std::string& text) {
   const std::string bare = text.substr(std::min(text.size(), text.find_last_of("*+-") + 1));
   const std::vector<std::string>& names = input_names();

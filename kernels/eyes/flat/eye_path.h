@@ -244,7 +244,8 @@ class EyeStep {
 
   [[nodiscard]] ERGO_HD double distance_of_ray(double h) const { return of_ray(step_.series.distance, h); }
 
-  //! Return PathStep::point() at a time without derivatives.
+  //! Return PathStep::point() at a time that is the same for the ray and its neighbors: with
+  //! derivatives, and for the ray alone.
   [[nodiscard]] ERGO_HD Vector3<D> point_with_neighbours(double h) const {
     const auto& s = step_.series;
     const D u = with_neighbours(s.u, h);

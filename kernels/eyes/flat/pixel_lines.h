@@ -193,7 +193,8 @@ class PixelLines {
     const double other = nearness_at(line, s + half);
     double maximum = ::fmax(one, other);
     double minimum = ::fmin(one, other);
-    // A line that does not move is in one column as a whole.
+    // A line of sight that the head sees at a single position s is in one column of rays as a
+    // whole.
     const bool stays = ::fabs(line.from_s - line.to_s) <= 1e-6 * width_;
     if (stays ? !(::fabs(line.from_s - s) <= half) : !(maximum > minimum)) {
       return false;

@@ -74,7 +74,8 @@ struct FillConnectionNodes {
     UnroundedNode sum{0.0, 0.0, 0.0, 0.0};
     double weights = 0.0;
     for (int i = 0; i < fan_stencil; ++i) {
-      // The weights of evenly spaced points are binomial coefficients with alternating signs.
+      // The barycentric weights of evenly spaced points are binomial coefficients with alternating
+      // signs.
       constexpr double binomial[fan_stencil] = {1.0, -9.0, 36.0, -84.0, 126.0, -126.0, 84.0, -36.0, 9.0, -1.0};
       const int from = first + i;
       const double apart = at - from;

@@ -13,8 +13,8 @@ ERGO_HD float part_size(int axis, int depth) {
   return 1.0F / static_cast<float>(1U << static_cast<unsigned>((depth + 1 - axis) / 2));
 }
 
-//! Computes the direction (x, y) in the plane along which each part is longest, approximately, as
-//! unit vectors. Returns the lengths.
+//! Computes the direction (x, y) along which each part is longest, approximately, in the plane of
+//! p and q, in which its star sees it, as unit vectors. Returns the lengths.
 template <class T>
 ERGO_HD T long_way(const SeenPatch<T>& part, T& x, T& y) {
   const auto from_to = [](const T(&at)[16], int a, int b, int c, int d) {

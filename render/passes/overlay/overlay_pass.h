@@ -85,7 +85,7 @@ class OverlayPass : public Pass {
   static long image_bytes(const Show& show);
 
  private:
-  //! An image in the memory of kernels. It is copied to GPU memory when it is first drawn there.
+  //! An image in host memory. When the GPU first draws it, it is copied to GPU memory too.
   struct Texture {
     OverlayImage layout;  //!< size and mip levels of the image, without its texels
     Buffer<std::uint16_t> host;

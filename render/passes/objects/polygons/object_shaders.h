@@ -18,19 +18,21 @@ enum ObjectUniform : int {
   //! Vec4: minimum and maximum of 1/r in the table, the observer's r, √(1 - 2/r) at the observer.
   uniform_table_range = 4,
   uniform_view_from_frame = 5,  //!< mat3
-  uniform_boost = 6,          //!< vec4: axis and stretch of the aberration from the rest frame to the observer's frame
-  uniform_kind = 7,           //!< int: ProjectionKind
-  uniform_mirror = 8,         //!< float: -1 for a picture as seen from outside
-  uniform_screen = 9,         //!< vec4: half sizes and center of a flat screen or a cylinder
-  uniform_law = 10,           //!< int: LensLaw
-  uniform_lens = 11,          //!< vec4: sine and cosine of the tilt, half angle, scale
-  uniform_polynomial = 12,    //!< vec4
-  uniform_viewer = 13,        //!< vec4: position in the dome, and 1 if that is not its center
-  uniform_tessellation = 14,  //!< vec4: MaxTessLevel, a, b, torn
-  uniform_color = 15,         //!< vec3
-  uniform_checker = 16,       //!< vec3: columns, rows, dark; no checker if columns is 0
-  uniform_textured = 17,      //!< int
-  uniform_light = 18,         //!< vec4: position and strength; the surface is emissive if the strength is 0
+  //! Vec4: axis and stretch of the aberration from the rest frame at the eye (e_r, e_θ, e_φ) to the
+  //! frame of the moving observer.
+  uniform_boost = 6,
+  uniform_kind = 7,                //!< int: ProjectionKind
+  uniform_mirror = 8,              //!< float: -1 for a picture as seen from outside
+  uniform_screen = 9,              //!< vec4: half sizes and center of a flat screen or a cylinder
+  uniform_law = 10,                //!< int: LensLaw
+  uniform_lens = 11,               //!< vec4: sine and cosine of the tilt, half angle, scale
+  uniform_polynomial = 12,         //!< vec4
+  uniform_viewer = 13,             //!< vec4: position in the dome, and 1 if that is not its center
+  uniform_tessellation = 14,       //!< vec4: MaxTessLevel, a, b, torn
+  uniform_color = 15,              //!< vec3
+  uniform_checker = 16,            //!< vec3: columns, rows, dark; no checker if columns is 0
+  uniform_textured = 17,           //!< int
+  uniform_light = 18,              //!< vec4: position and strength; the surface is emissive if the strength is 0
   uniform_light_table_range = 19,  //!< vec4: like uniform_table_range, for the light
   //! Int: number of image orders in the observer's table; the light's table has two.
   uniform_table_orders = 20,

@@ -31,8 +31,8 @@ class CorrectedGrid {
   //! unknown.
   explicit CorrectedGrid(const LensStation& station);
 
-  //! Returns the errors of a leaf. Unknown errors are huge, so that such leaves are not used for
-  //! corrections.
+  //! Returns the errors of a leaf. Unknown errors are huge, so that no star image in it counts as
+  //! exact, and rays refine them all.
   [[nodiscard]] LeafErrors errors(int leaf) const;
 
   //! Returns the grid for kernels. put(vector) returns the address at which kernels read the

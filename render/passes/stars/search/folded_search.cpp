@@ -13,8 +13,8 @@ namespace {
 //! Number of parts that are halved as one block, before the resulting halves are: as many as fit
 //! into the CPU's cache.
 constexpr int block = 512;
-//! Maximum number of pairs searched together: enough to fill SIMD lanes, but so few that floats
-//! represent their indices exactly.
+//! Maximum number of pairs of a patch and a star that are searched together: enough to fill SIMD
+//! lanes, but so few that floats represent their indices exactly.
 constexpr std::size_t max_pairs = 1 << 16;
 
 }  // namespace
