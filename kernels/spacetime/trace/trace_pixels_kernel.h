@@ -42,6 +42,8 @@ ERGO_HD void store_traced(const PixelBatch& batch, int first, const RayStart<Ray
   store_lanes(out.half_orbits, first, count, select(reached, sweep * S(0.31830988618), zero));
 }
 
+//! Returns the pixels of a batch, which must outlive the result.
+// NOLINTNEXTLINE(bugprone-return-const-ref-from-parameter): no batch is temporary
 ERGO_HD const PixelBatch& pixels_of(const PixelBatch& batch) { return batch; }
 ERGO_HD const PixelBatch& pixels_of(const OmniBatch& batch) { return batch.pixels; }
 
