@@ -1,7 +1,6 @@
 #include "content/show/animated_show.h"
 
 #include <algorithm>
-#include <ranges>
 
 #include "content/timeline/key_curve.h"
 
@@ -58,8 +57,15 @@ NumberChange put_values(Show& show, const Value& value) {
 }  // namespace
 
 double value_at(std::size_t count, const KeyAt& key, double time_s) {
-  const std::size_t after = *std::ranges::upper_bound(std::views::iota(std::size_t{0}, count), time_s, {},
-                                                      [&](std::size_t i) { return key(i).time_s; });
+  std::size_t after = 0;  // index of the first key after the time
+  for (std::size_t end = count; after < end;) {
+    const std::size_t middle = after + (end - after) / 2;
+    if (!(time_s < key(middle).time_s)) {
+      after = middle + 1;
+    } else {
+      end = middle;
+    }
+  }
   if (after == 0) {
     return key(0).value;
   }
