@@ -17,7 +17,7 @@ constexpr const char* budget_remedy = "write, for example, --budget 0.25px, --bu
   throw UsageError(fmt::format("--budget {}", word), problem, remedy);
 }
 
-//! Splits words at commas and blanks.
+//! Splits words at commas and blanks; leaves out empty parts.
 std::vector<std::string> budget_parts(const std::vector<std::string>& words) {
   std::vector<std::string> parts(1);
   for (const std::string& word : words) {

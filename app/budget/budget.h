@@ -27,7 +27,8 @@ inline constexpr double max_budget_fps = 1000.0;
 
 //! Parses a budget from words of the command line: "0.25px", "60fps", "0.25px,60fps" or "0.25px
 //! 60fps", in any number of words; no words give an empty budget. Each number needs a unit. Throws
-//! UsageError for malformed or out-of-range numbers, and for a second one with the same unit.
+//! UsageError for words that are all blank, for malformed or out-of-range numbers, and for a second
+//! one with the same unit.
 Budget parse_budget(const std::vector<std::string>& words);
 
 //! Formats a budget as parse_budget() reads it: "0.25px,60fps".

@@ -28,7 +28,8 @@ std::optional<std::size_t> cheapest_setting(std::span<const MeasuredSetting> set
     minimum = may(setting) ? std::min(minimum, cost(setting)) : minimum;
   }
   std::optional<std::size_t> best;
-  // If no cost is known, the first one measured wins.
+  // If no cost is known, the first setting that satisfies `may` is chosen, in the order of
+  // measurement.
   const bool known = std::isfinite(minimum);
   for (std::size_t i = 0; i < settings.size(); ++i) {
     if (may(settings[i]) && cost(settings[i]) <= alike * minimum &&

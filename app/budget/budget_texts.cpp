@@ -58,8 +58,8 @@ std::string took_text(const SettingsMeasurement& measured) {
                      measured.cut_short ? ", not enough for all settings" : "");
 }
 
-//! Describes how an error and a frame time exceed the budget, or that the frame rate is unknown;
-//! each part starts with a semicolon. Empty if the budget is met.
+//! Describes how an error, with the reserve of kept_share, and a frame time exceed the budget, or
+//! that the frame rate is unknown; each part starts with a semicolon. Empty if the budget is met.
 std::string missed_text(const Budget& budget, const SettingsMeasurement& measured, bool holds_error, double error_px,
                         bool holds_rate, double frame_ms) {
   std::string text;

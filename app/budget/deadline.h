@@ -24,7 +24,7 @@ class Deadline {
 
   //! Runs a unit of work if it is expected to end before `share` of the time limit has passed.
   //! Returns whether it ran. It is expected to take `growth` times the longest earlier unit of its
-  //! kind; for the first one, `expected_s`, but at least a quarter of that share.
+  //! kind; for the first one, `expected_s`, but at least a quarter of `share` of the time limit.
   bool run(StartWork kind, const std::function<void()>& work, double share = 1.0, double growth = 1.5,
            double expected_s = 0.0) {
     constexpr double unknown_share = 0.25;

@@ -17,7 +17,8 @@ constexpr int larger_px = 384;
 constexpr int timed_draws = 2;
 //! Angle by which the camera is rotated about the hole's axis between two timed pictures [rad].
 constexpr double min_turn = 1e-9;
-//! Minimum share of a whole picture's time that is assumed to be proportional to its pixels.
+//! Minimum share of the time of the larger timed picture that is assumed to be proportional to its
+//! pixels.
 constexpr double min_by_pixels = 0.3;
 
 }  // namespace
@@ -47,8 +48,9 @@ std::optional<PictureTime> PictureTimer::time(const FrameQuality& quality) {
   if (times_ms.size() < 2) {
     return PictureTime{0.0, by_pixels_ms};
   }
-  // Line through both points (share of the pixels, time), with a positive slope and a non-negative
-  // offset even if other load disturbed the measurement.
+  // Uses the line through both points (share of the pixels, time). If other load made its slope too
+  // small or its offset negative, uses the line through the second point with the nearest allowed
+  // slope.
   const double slope_ms = (times_ms[1] - times_ms[0]) / (shares[1] - shares[0]);
   const double pixels_ms = std::clamp(slope_ms, min_by_pixels * by_pixels_ms, by_pixels_ms);
   return PictureTime{times_ms[1] - pixels_ms * shares[1], pixels_ms};

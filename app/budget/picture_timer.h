@@ -25,7 +25,8 @@ struct PictureTime {
 //! most 384 px in width is measured itself.
 class PictureTimer {
  public:
-  //! A picture is only drawn if it is expected to end before this share of the deadline's time.
+  //! A picture is only drawn if that is expected to end before `share` of the deadline's time limit
+  //! has passed.
   PictureTimer(ShowRenderer& renderer, Deadline& deadline, std::vector<TimedMoment> moments, int whole_px,
                double share);
 

@@ -12,7 +12,8 @@ namespace ergodome {
 
 namespace {
 
-//! Weight of a new interval in the displayed mean.
+//! Weight of the latest interval between pictures in the smoothed one, from which the displayed
+//! frame rate is computed.
 constexpr double smoothing = 0.1;
 constexpr double errors_every_s = 1.0;
 //! Number of pixel errors to keep: those of the last few measurements.
@@ -22,11 +23,13 @@ constexpr std::size_t telling_errors = 100;
 //! Minimum number of errors before the lens is changed: in a smaller sample, the largest are mostly
 //! chance.
 constexpr std::size_t sure_errors = 500;
-//! While errors exceed the allowed error, the lens's budget is multiplied by this.
+//! Each time the 99 % quantile of the errors exceeds the budget's error, the lens's budget is
+//! multiplied by this.
 constexpr double finer_step = 0.7;
 //! Once the lens's budget is at most this share of the rung's, it is not reduced further.
 constexpr double finest_share = 0.1;
-//! If errors are below this share of the allowed error, one reduction of the budget is undone.
+//! If the 99 % quantile of the errors is below this share of the budget's error, one reduction of
+//! the lens's budget is undone.
 constexpr double far_within = 0.25;
 
 std::vector<double> rung_times(const std::vector<Rung>& ladder) {
@@ -42,7 +45,7 @@ std::vector<double> rung_times(const std::vector<Rung>& ladder) {
 constexpr int narrowest_px = 192;
 
 //! Returns the only rung of a budget without a frame rate. It has the size of whole pictures; the
-//! player may choose another.
+//! player may choose another size.
 std::vector<Rung> single_rung(const SettingsMeasurement& measured, const Budget& budget) {
   // Leaves out direct rays that were measured as an alternative to an automatic lens: at other
   // sizes, `automatic` selects between grid and rays itself.

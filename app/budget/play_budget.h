@@ -23,7 +23,7 @@ struct PlayPlan {
 };
 
 //! Returns how long a frame of a running show may wait for its lens before it uses an older one
-//! [ms]: 40 % of the frame time of the budget's rate, at most 20 ms.
+//! [ms]: 40 % of the frame time of the budget's rate, but at most 20 ms; 20 ms without a rate.
 double lens_patience_ms(const Budget& budget);
 
 //! Keeps a running show within its budget and records its cost. Reads no clock: callers pass the
@@ -52,10 +52,11 @@ class PlayBudget {
   //! rung's error measured at the start.
   [[nodiscard]] double error_px() const;
 
-  //! Returns a line for the screen: the budget, the error, and with a rate the time of the last
-  //! picture and the rung.
+  //! Returns a line for the screen: the budget and the error; if the budget has a rate, also the
+  //! time of the last picture, the smoothed frame rate and the rung.
   [[nodiscard]] std::string display_text() const;
-  //! Returns a line for the end of the show.
+  //! Returns a line for the end of the show: error_px() and, if the budget has a rate, the achieved
+  //! rate.
   [[nodiscard]] std::string summary_text() const;
 
  private:
@@ -67,7 +68,7 @@ class PlayBudget {
   std::optional<RateRecord> record_;  //!< empty if the budget has no frame rate
   std::deque<double> errors_px_;
   double work_ms_ = 0.0;      //!< time of the last picture
-  double interval_ms_ = 0.0;  //!< smoothed interval; 0: none yet
+  double interval_ms_ = 0.0;  //!< smoothed interval between pictures; 0: none yet
   double errors_due_s_ = 0.0;
   double lens_share_ = 1.0;  //!< factor on the rung's lens budget
 };

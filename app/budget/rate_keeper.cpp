@@ -17,8 +17,8 @@ constexpr std::size_t few_frames = 3;
 //! leaves time for the window and for slower frames, and of the last `few_frames`.
 constexpr double max_work = 0.85;
 constexpr double far_too_much_work = 1.5;
-//! Share of the frame time that the next finer rung may be predicted to take, so that it is tried.
-//! If drawing takes a share between this and `max_work`, the rung stays.
+//! The next finer rung is tried once its drawing time has been predicted to be less than this share
+//! of the frame time for long enough. Until then, the rung stays.
 constexpr double work_to_try = 0.65;
 //! If the mean interval between frames exceeds the frame time by this factor, frames count as too
 //! slow even if drawing alone would fit. Exception: if drawing takes less than the share
@@ -29,7 +29,7 @@ constexpr std::size_t interval_frames = 30;
 //! Seconds of fast frames before a finer rung is tried: initial value and maximum.
 constexpr double first_patience_s = 1.0;
 constexpr double max_patience_s = 60.0;
-//! Seconds after which a rung that was reached from below counts as proven.
+//! Seconds on a rung after a step up to it, after which it counts as fast enough.
 constexpr double proof_s = 2.0;
 //! Assumed ratio of the time of the next finer rung to the current one's, if either is unknown.
 constexpr double unknown_ratio = 1.5;

@@ -48,7 +48,7 @@ class RateKeeper {
   long frames_here_ = 0;   //!< number of frames on this rung
   long frames_quick_ = 0;  //!< consecutive frames so fast that the finer rung would fit
   long patience_;          //!< the finer rung is tried after more than this many of them
-  bool trying_ = false;    //!< this rung was reached from below and is not proven yet
+  bool trying_ = false;    //!< this rung was reached by a step up and is not proven fast enough yet
   long changes_ = 0;
 };
 
@@ -91,7 +91,7 @@ class FramePace {
 
   [[nodiscard]] bool is_due(double now_s) const { return now_s >= due_s_; }
 
-  //! Records the start of a frame.
+  //! Records the start of a frame, and sets when the next one is due.
   void begin(double now_s) { due_s_ = std::max(due_s_, now_s - 0.5 * frame_s_) + frame_s_; }
 
  private:

@@ -23,13 +23,13 @@ namespace ergodome {
 namespace {
 
 constexpr int budget_moments = 6;
-//! Rows to measure per time, and pixels in each row; twice as many of both if there is only one
-//! time.
+//! Rows to measure per show time, and pixels in each row; twice as many of both if only one show
+//! time is measured.
 constexpr int sampled_rows = 32;
 constexpr int sampled_columns = 32;
 constexpr std::size_t timed_moments = 2;
-//! Shares of the time limit after which no work of a stage is planned (exact rays, timed pictures,
-//! errors of lenses), to leave time for the later stages.
+//! Shares of the time limit in which the work of the stages must be expected to end (exact rays,
+//! timed pictures, errors of lenses), to leave time for the later stages.
 constexpr double moments_share = 0.25;
 constexpr double pictures_share = 0.6;
 constexpr double lenses_share = 0.9;
@@ -141,8 +141,9 @@ class SettingsMeter {
     return setting.quality.budget_px * std::clamp(wished, longest, shortest);
   }
 
-  //! Measures lenses of one kind from the coarsest to the first within the budget's error, or as
-  //! fine as time allows, and adds them to the settings.
+  //! Measures lenses of one kind, from the coarsest budget to the first that is within the budget's
+  //! error, down to finest_budget() at most, or as far as time allows, and adds them to the
+  //! settings.
   void search(LensChoice lens) {
     double budget_px = loosest_budget();
     while (budget_px >= finest_budget()) {
@@ -205,7 +206,8 @@ class SettingsMeter {
         break;
       }
       if (order_.budget.error_px && !is_within(setting.error_px, *order_.budget.error_px)) {
-        // The next lens may fail at the same time, so measure it there first.
+        // The next lens may exceed the error at the same moment of the show, so it is measured
+        // there first.
         const auto failed = moments_.begin() + static_cast<std::ptrdiff_t>(i);
         std::rotate(moments_.begin(), failed, failed + 1);
         within = false;
@@ -217,8 +219,8 @@ class SettingsMeter {
     return within;
   }
 
-  //! Returns the budget of pictures drawn for timing. It is coarser than all measured later,
-  //! because the renderer would reuse a finer grid for those.
+  //! Returns the budget of pictures drawn for timing. It is coarser than all budgets measured
+  //! later: the renderer would reuse a finer grid for those lenses instead of building theirs.
   [[nodiscard]] double coarse_px() const { return 1.1 * loosest_budget(); }
 
   //! Determines whether the whole picture's lens is one of direct rays although the operator chose
@@ -234,8 +236,8 @@ class SettingsMeter {
     deadline_.run(StartWork::lens, visit);
   }
 
-  //! Measures the times of pictures for each kind of lens and filter that settings may have, with
-  //! one budget, because that hardly affects them.
+  //! Measures the times of pictures for each kind of lens and filter that settings may have. Uses
+  //! one budget for all, because the times hardly depend on it.
   void time_pictures() {
     std::vector<TimedMoment> moments;
     for (std::size_t i = 0; i < std::min(timed_moments, moments_.size()); ++i) {
@@ -266,7 +268,7 @@ class SettingsMeter {
   }
 
   //! Copies the times of pictures to the settings with the same kind of lens and filter. If the
-  //! point filter was timed too, adds a copy of the first setting with that filter before.
+  //! point filter was timed too, first adds a copy of the first setting with that filter.
   void add_times() {
     for (const KindTimes& times : times_) {
       if (times.filter != first_quality_.filter) {
@@ -291,7 +293,8 @@ class SettingsMeter {
   std::vector<BudgetMoment> moments_;
   std::vector<KindTimes> times_;
   bool moves_ = false;
-  bool automatic_is_direct_ = false;  //!< the whole picture has too few pixels for a grid
+  //! With `automatic`, the renderer uses direct rays for the whole picture.
+  bool automatic_is_direct_ = false;
   SettingsMeasurement result_;
 };
 

@@ -31,8 +31,8 @@ std::string wrapped(const std::string& text) {
   return lines;
 }
 
-//! Returns the choices "{a,b,c}" of an option's type as "a, b, c"; empty if it has none or if the
-//! text lists them.
+//! Returns the choices "{a,b,c}" of an option's type as "a, b, c"; empty if it has none, or if its
+//! description `text` contains all of them.
 std::string choices_of(const std::string& type, const std::string& text) {
   const std::size_t from = type.find('{');
   if (from == std::string::npos) {

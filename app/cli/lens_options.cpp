@@ -156,8 +156,8 @@ std::vector<std::string> stream_notes(const StationStream* stream, const Show& s
   if (!is_fine_enough(*stream, show, size_px)) {
     // Three digits are enough, because holds_budget() allows 1 %.
     const std::string finer = budget_px < baked.budget_px ? fmt::format(" --budget {:.3g}", budget_px) : "";
-    // Includes the name, because each note is printed only once, and two shows of an exhibit may
-    // both have a coarse trajectory.
+    // Names the trajectory, because each text is printed only once, and two shows of an exhibit may
+    // both have one that is too coarse.
     return {
         fmt::format("{} was baked for {:.3g} px in frames {:.0f} px wide and is too coarse for {:.3g} px at {}: {}; "
                     "bake it again with --size {}{}",

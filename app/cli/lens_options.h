@@ -26,8 +26,8 @@ struct LensOptions {
 
 constexpr int usual_stream_memory_mib = 256;
 
-//! Adds --lens, --trajectory and --stream-memory to a command, and registers when they have no
-//! effect. `options` must outlive both.
+//! Adds --lens, --trajectory and --stream-memory to a command, and registers that the last two have
+//! no effect with --lens live or direct. `options` must outlive both.
 void add_lens_options(CLI::App& command, LensOptions& options, IgnoredOptions& ignored);
 
 LensChoice lens_choice(const LensOptions& options);
@@ -62,8 +62,8 @@ std::vector<std::string> stream_notes(const StationStream* stream, const Show& s
 //! Prints statistics of a stream.
 void print_statistics(const StreamStatistics& statistics);
 
-//! Adds --budget to a command: words for parse_budget(). The option may be given twice, with one
-//! word each.
+//! Adds --budget to a command: words for parse_budget(). The option may be repeated, each time with
+//! one word.
 void add_budget_option(CLI::App& command, std::vector<std::string>& words);
 
 }  // namespace ergodome

@@ -14,8 +14,8 @@ class Validator;
 
 namespace ergodome {
 
-//! Parses a number of pixels, "0.1px" or "0.1", from 1e-4 to 100. Throws Error, naming the option,
-//! for other text.
+//! Parses a number of pixels, "0.1px" or "0.1", from 1e-4 to 100. Throws UsageError, naming the
+//! option, for other text.
 double pixels_of(const std::string& option, const std::string& text);
 
 //! Returns a check for an option that is one of some names.

@@ -27,7 +27,8 @@ Vector3<double> leaned(const Vector3<double>& position, double angle_deg) {
   return {position.x, cosine * position.y + sine * position.z, cosine * position.z - sine * position.y};
 }
 
-//! Returns the setup's viewer in radii of the dome, in the axes of a view tilted by `tilt_deg`.
+//! Returns the position of the setup's viewer in radii of the dome, in the axes of the picture,
+//! which is rotated by the setup's rotation_deg and tilted by `tilt_deg`.
 Vector3<double> viewer_of(const DomeSetup& setup, double tilt_deg) {
   // The viewer is fixed in the dome, and the picture rotates to the right about the dome's axis.
   const Vector3<double> own = leaned((1.0 / setup.radius_m) * setup.viewer_m, -setup.tilt_deg);

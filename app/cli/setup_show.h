@@ -27,7 +27,8 @@ std::vector<std::string> plain_names(const DomeSetup& setup);
 //! Writes the images that a dome's projectors show of numbered frames, without a display.
 class ProjectorFrames {
  public:
-  //! Throws Error if HeadlessProjectors cannot be created.
+  //! Throws Error if HeadlessProjectors does: if OpenGL is requested but not available, or if a GPU
+  //! lacks memory.
   ProjectorFrames(const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures,
                   ProjectorDrawer drawer = ProjectorDrawer::automatic);
 

@@ -34,9 +34,10 @@ void add_objects_option(CLI::App& command, ShowOverrides& overrides);
 //! Begins the group "Stereo" with --stereo and --baseline.
 void add_stereo_options(CLI::App& command, ShowOverrides& overrides);
 
-//! Applies all overrides but those of --set, and removes animations of the overridden keys. Throws
-//! UsageError for a tilt without a dome (`has_setup`: the show's projection is replaced by a dome
-//! setup's), and if the show's objects cannot be drawn with the method.
+//! Applies all overrides but those of --set, and removes animations of the overridden keys. Another
+//! projection also gets its default field of view. Throws UsageError for a tilt without a dome
+//! (`has_setup`: the show's projection is replaced by a dome setup's), and if the method is for
+//! objects that the show lacks or that cannot be drawn with it.
 void apply_overrides(Show& show, const ShowOverrides& overrides, bool has_setup);
 
 }  // namespace ergodome

@@ -107,8 +107,8 @@ bool is_baked(const fs::path& out, const TrajectoryProvenance& provenance) {
   }
 }
 
-//! Throws Error if the output exists and is not a trajectory of this show, baked with whatever
-//! settings: another one may have taken hours.
+//! Throws Error if the output exists and is not a trajectory of this show: another file may have
+//! taken hours to make. The settings with which it was baked do not matter.
 void require_own(const fs::path& out, const Show& show) {
   std::error_code problem;
   if (!fs::exists(out, problem)) {

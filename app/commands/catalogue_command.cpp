@@ -27,7 +27,7 @@ struct CatalogueOptions {
 };
 
 //! Throws Error if the output exists and is not an Ergodome catalogue, such as a user's table or a
-//! show.
+//! show, unless --replace is given.
 void require_star_file(const CatalogueOptions& options) {
   std::error_code problem;
   if (!options.replace && std::filesystem::exists(options.out, problem) && !is_star_file(options.out)) {

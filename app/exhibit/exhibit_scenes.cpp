@@ -28,7 +28,7 @@ Caption caption_at(double elevation_deg, double letter_deg, LocalText text) {
 }
 
 //! Copies the settings that a command changes from `status` to `settings`. After a refused command,
-//! `status` still has the old value.
+//! `status` still has the old value. `baseline_set`: the baseline is not the show's.
 void take_over(const TransportCommand& command, const PlayerStatus& status, bool baseline_set,
                SavedSettings& settings) {
   using Kind = TransportCommand::Kind;

@@ -35,7 +35,7 @@ std::string attract_mismatch(const Show& visitor, const Show& attract);
 //! operator's saved settings.
 class ExhibitScenes {
  public:
-  //! Visitors fly through `visitor`; `attract` runs without visitors.
+  //! Visitors fly through `visitor`; `attract` plays while there is no visitor.
   ExhibitScenes(ExhibitOptions options, Show visitor, Show attract);
 
   //! Advances by one frame, to a time of a monotonic clock. `touched`: there was input since the
@@ -46,7 +46,7 @@ class ExhibitScenes {
   [[nodiscard]] ExhibitScene scene() const { return exhibit_.scene(); }
   //! Returns the show of the current scene.
   [[nodiscard]] const Show& show() const { return scene() == ExhibitScene::visitor ? visitor_ : attract_; }
-  //! Replaces the show of each scene that has the name and folder of `show`, by `show`.
+  //! In each scene whose show has the name and folder of `show`, replaces that show by `show`.
   void renew(const Show& show);
   //! Returns whether an operator has ever held the exit keys for three seconds.
   [[nodiscard]] bool left() const { return left_; }

@@ -22,7 +22,7 @@ constexpr double above_horizon = 0.02;
 //! of latitude.
 struct LocalScale {
   double radial;    //!< dr per proper length
-  double southern;  //!< angle per proper length [1/M]
+  double southern;  //!< change of the polar angle per proper length along the meridian [1/M]
   //! Along the circle of latitude: sinθ times the change of azimuth, per proper length [1/M]. On
   //! the axis it equals `southern`.
   double eastern;
@@ -82,7 +82,8 @@ double FlightSpace::slowing(double r, double speed) const {
 double FlightSpace::moved_radius(double r, double speed, double seconds) const {
   const double lowest = guard_r_ * (1.0 + min_height);
   if (r < lowest) {
-    // A show's path may lead inside the guard. A camera that leaves it there moves out.
+    // A show's path may lead inside the guard. A camera that leaves the path there moves outward,
+    // whatever is steered.
     const double out = std::max(speed, fastest_ * (lowest - r + leeway * guard_r_));
     return r + out * seconds;
   }

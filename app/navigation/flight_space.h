@@ -39,8 +39,8 @@ class FlightSpace {
   //! of the zero-angular-momentum observer, whose e_r, e_θ, e_φ are `towards`, south and east.
   void move(CameraPlacement& placement, const glm::dvec3& velocity, double seconds) const;
 
-  //! Returns the velocity [distances/s] of a camera whose radius and direction change at these
-  //! rates.
+  //! Inverts move(): returns the velocity [distances/s] of a camera whose radius changes by
+  //! `r_rate` [M/s] and whose direction from the hole by `towards_rate` [1/s].
   [[nodiscard]] glm::dvec3 velocity(const CameraPlacement& placement, double r_rate,
                                     const glm::dvec3& towards_rate) const;
 

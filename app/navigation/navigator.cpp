@@ -108,8 +108,9 @@ void Navigator::set_spacetime(Spacetime spacetime) {
 }
 
 void Navigator::step(const Steering& steering, double seconds) {
-  // Near the axis, a step to the east is only a rotation. It fades out, and becomes a step to the
-  // west on the other side.
+  // `east_` keeps its sign where the camera crosses the spin axis. So near the axis, the motion
+  // around it that a step to the east causes fades out, and continues in the other direction
+  // beyond.
   constexpr double near_axis = 0.15;
   const double sine = glm::dot(placement_.towards, glm::cross(east_, axis_of_spin));
   motion_.follow_steering(steering, mode_, placement_.view, sine / std::hypot(sine, near_axis), seconds);
@@ -156,7 +157,7 @@ void Navigator::turn_view(const glm::dvec3& wanted, double seconds) {
   placement_.view = glm::normalize(rotation(seconds * turn_) * placement_.view);
 }
 
-//! Makes `east_` horizontal and perpendicular to the direction to the camera.
+//! Makes `east_` perpendicular to the spin axis and to the direction to the camera; keeps its sign.
 void Navigator::level_east() {
   const glm::dvec3 east = glm::cross(axis_of_spin, placement_.towards);
   const double sine = glm::length(east);
@@ -165,7 +166,8 @@ void Navigator::level_east() {
   }
 }
 
-//! Sets `east_` so that east is to the right, or north is up, in the view of the hole.
+//! Sets `east_` so that north is up in the view; if north is neither clearly up nor down, so that
+//! east is to the right.
 void Navigator::take_east_from_view() {
   east_ = east_at(placement_.towards);
   const double upright = glm::dot(placement_.view * glm::dvec3(0.0, 1.0, 0.0), glm::cross(placement_.towards, east_));
@@ -203,7 +205,8 @@ void Navigator::leave_path() {
     return;
   }
   if (from_path && path_falls_) {
-    // From here on the view's axes are boosted from the ZAMO.
+    // Off the path, the axes of the view are boosted from those of the ZAMO, not from the rain
+    // frame.
     path_ = in_zamo_frame(path_, spacetime_);
     path_before_ = in_zamo_frame(path_before_, spacetime_);
     placement_ = placement_of(path_);
@@ -244,7 +247,7 @@ void Navigator::return_to_path() {
   if (course_ != Course::free) {
     return;
   }
-  // A ship can neither leave the horizon nor enter it.
+  // A camera that flies back can neither leave the horizon nor enter it, so it jumps to the path.
   if (committed() || !(path_.r > horizon_radius(spacetime_))) {
     reset();
     course_ = Course::path;
@@ -258,7 +261,7 @@ void Navigator::return_to_path() {
 
 void Navigator::advance_return(double seconds) {
   placement_ = return_->advance(seconds, in_zamo_frame(path_, spacetime_));
-  // The clock converges to the path's within the remaining time of the way.
+  // `clock_lead_` converges to that of the path within the time that the return still takes.
   const double left_s = std::max(return_->left_s(), 0.0);
   clock_lead_ += (path_.clock_lead - clock_lead_) * (seconds / std::max(left_s + seconds, 1e-9));
   if (return_->arrived()) {
@@ -353,8 +356,8 @@ CameraPose Navigator::pose() const {
   return pose;
 }
 
-//! Returns how fast ingoing azimuths rotate relative to Boyer-Lindquist azimuths during a ride
-//! outside the horizon [rad/s].
+//! Returns the rotation rate of the ingoing Kerr azimuth relative to the Boyer-Lindquist azimuth
+//! during a ride outside the horizon, as a vector along the spin axis [rad/s].
 glm::dvec3 Navigator::turn_of_azimuth() const {
   const KerrFunctions f = kerr_functions(spacetime_, placement_.r, 0.0);
   return {0.0, 0.0, spacetime_.spin / f.delta * ride_->radial_speed()};
@@ -405,7 +408,8 @@ void Navigator::end_ride() {
   ride_.reset();
 }
 
-//! Returns whether the path falls along an orbit that a visitor may continue through the horizon.
+//! Returns whether the path is in free fall that a visitor may continue through the horizon: the
+//! show allows it, and the path is inside the horizon or its orbit leads into the hole.
 bool Navigator::may_fall_on() const {
   if (!leads_through_ || !path_falls_ || !path_.velocity || !path_.velocity_in_rain) {
     return false;
@@ -414,8 +418,8 @@ bool Navigator::may_fall_on() const {
          OrbitRide::through_horizon(spacetime_, settings_, path_).falls_into_hole();
 }
 
-//! Continues along the orbit of a path that falls through the horizon, as fast as the path, inside
-//! or outside.
+//! Leaves the path, outside or inside the horizon, and continues along the orbit of its fall, with
+//! a clock rate at which the camera keeps its velocity.
 void Navigator::fall_on() {
   placement_ = ingoing_placement(path_, spacetime_);
   before_ = ingoing_placement(in_rain_frame(path_before_, spacetime_), spacetime_);

@@ -57,10 +57,11 @@ class Navigator {
   //! falls through the horizon, continues that fall.
   void let_go();
 
-  //! Returns the camera's pose. It has a velocity if the camera falls through the horizon.
+  //! Returns the camera's pose. Off the path, it has a velocity only if the camera falls through
+  //! the horizon.
   [[nodiscard]] CameraPose pose() const;
   //! Returns the camera's proper time since it began to fall through the horizon, or was taken from
-  //! a path that does [M]; nothing if it does not.
+  //! a path that does [M]. Returns nothing on the path, or if the camera does not fall so.
   [[nodiscard]] std::optional<double> proper_time() const {
     return course_ != Course::path && falls_through() ? std::optional(ride_->proper_time()) : std::nullopt;
   }
@@ -69,8 +70,8 @@ class Navigator {
   //! Returns whether the last `advance` changed the pose.
   [[nodiscard]] bool moved() const { return moved_; }
 
-  //! Returns how the camera itself moves, if that determines the observer: on an orbit, or hovering
-  //! in free flight.
+  //! Returns how the camera itself moves off the path, if that determines the observer: on an
+  //! orbit, or hovering. Otherwise, and on the way back, returns nothing.
   [[nodiscard]] std::optional<ObserverView> flight_observer(std::string_view language = "en") const;
 
   //! Returns whether the camera, off its path, cannot escape: inside the horizon or very close to
@@ -80,8 +81,8 @@ class Navigator {
   //! Returns the name of the flight mode, for the screen.
   [[nodiscard]] std::string_view mode_name(std::string_view language = "en") const;
 
-  //! Return the rotation rate of the view relative to fixed directions [rad/s] and the velocity of
-  //! a ship [distances/s], which the limits of comfort apply to.
+  //! Return the rotation rate of the view relative to fixed directions [rad/s], and the velocity of
+  //! flying as a spaceship or on an orbit [distances/s]. The limits of comfort apply to both.
   [[nodiscard]] const glm::dvec3& turn_rate() const { return turn_; }
   [[nodiscard]] const glm::dvec3& fly_velocity() const { return motion_.fly(); }
   [[nodiscard]] const FlightSpace& space() const { return space_; }
@@ -121,7 +122,7 @@ class Navigator {
   CameraPose path_;         //!< pose on the show's path in the last frame
   CameraPose path_before_;  //!< pose on the path in the frame before
   CameraPlacement before_;
-  double frame_s_ = 0.0;  //!< time between the last two frames
+  double frame_s_ = 0.0;  //!< time step of the last frame [s], at most a tenth of a second
   bool begun_ = false;
   bool moved_ = true;
   glm::dvec3 turn_{0.0};

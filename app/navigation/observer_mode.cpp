@@ -153,8 +153,8 @@ ObserverView ObserverFade::advance(double seconds, const ObserverView& wanted, S
     shown_ = there;
     return wanted;
   }
-  // Velocities below that of light form a ball, so a straight path between two of them stays
-  // inside.
+  // Velocities below that of light form a ball, so velocities on the straight line between two of
+  // them are also below it.
   const double s = elapsed_s_ / fade_s;
   shown_ = glm::mix(from_, there, s * s * (3.0 - 2.0 * s));
   const glm::dvec3 local = glm::conjugate(frame) * shown_;

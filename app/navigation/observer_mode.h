@@ -9,8 +9,8 @@
 
 namespace ergodome {
 
-//! The observer that a visitor chooses: that of the flight mode, or one of the others at any
-//! position.
+//! The observer that a visitor chooses: `natural` is the camera's own motion, or else the show's
+//! observer; the others move in the named way wherever the camera is.
 enum class ObserverMode { natural, zamo, fixed, geodesic, retrograde, rain };
 
 //! Returns the next mode, cyclically.

@@ -12,15 +12,16 @@ namespace ergodome {
 
 namespace {
 
-//! Duration of one revolution on a circular orbit at the starting radius, unless the visitor
-//! hurries or comfort requires more.
+//! Time of the visitor's clock for one revolution on a circular orbit at the starting radius. It is
+//! shorter if the visitor hurries, and longer if comfort requires that.
 constexpr double round_s = 40.0;
 //! Time of the visitor's clock in which the remaining proper time of a fall through the horizon
 //! decreases to 1/e.
 constexpr double fall_s = 6.0;
 //! Proper time that is added to the remaining one, so that the fall reaches its end [M].
 constexpr double last_proper_time = 0.01;
-//! Fraction of the comfortable acceleration that the orbit itself may take.
+//! Fraction of the comfortable acceleration that the curvature of the orbit may take, see
+//! comfortable_clock(). Changes of the clock rate may take 1 - 2 bend_part.
 constexpr double bend_part = 0.3;
 constexpr double tolerance = 1e-11;
 constexpr int step_limit = 400;
@@ -112,7 +113,8 @@ double OrbitRide::clock_along(const CameraPlacement& placement, const glm::dvec3
 }
 
 bool OrbitRide::take_over(const CameraPlacement& placement, const glm::dvec3& velocity) {
-  // Maximum change of the camera's velocity that remains invisible [distances/s].
+  // Maximum velocity across the orbit that the camera may lose without a visible jump
+  // [distances/s].
   constexpr double across_at_most = 0.02;
   if (!(glm::length(velocity - clock_along(placement, velocity) * way(placement)) <= across_at_most)) {
     return false;
@@ -207,7 +209,8 @@ void OrbitRide::advance(double seconds, double hurry, CameraPlacement& placement
     held_ = true;
   } else if (left_) {
     left_ = std::max(*left_ - clock_ * seconds, 0.0);
-    // Recomputed on the way, because a small relative error of a long time is large near its end.
+    // Integrates `left_` again during the fall, because a relative error that is small at first is
+    // large compared with the little time left near its end.
     constexpr double nearer = 0.7;
     if (1.0 / orbit_.u < nearer * left_estimated_at_r_) {
       estimate_left(1.0 / orbit_.u);

@@ -65,7 +65,8 @@ class OrbitRide {
   OrbitRide(const FlightSpace& space, const FlightSettings& settings, double r, const OrbitConstants& constants,
             const OrbitState& orbit);
 
-  //! Returns the orbit's time [M] per second for a visitor who does not hurry.
+  //! Returns the clock rate for a visitor who does not hurry, without the limits of comfort: the
+  //! orbit's time [M] per second.
   [[nodiscard]] double usual_clock() const;
   //! Returns the maximum comfortable orbit time [M] per second; `reach` is the orbit time [M] per
   //! unit of distance.
@@ -75,7 +76,7 @@ class OrbitRide {
   //! Returns the clock rate [M/s], at least 0, at which the motion along the orbit equals the
   //! component of a velocity [distances/s] along it.
   [[nodiscard]] double clock_along(const CameraPlacement& placement, const glm::dvec3& velocity) const;
-  //! Returns the motion along the orbit per proper time [distances/M].
+  //! Returns the camera's velocity along the orbit per proper time [distances/M].
   [[nodiscard]] glm::dvec3 way(const CameraPlacement& placement) const;
   [[nodiscard]] OrbitState rate() const { return orbit_rate(space_.spacetime(), constants_, orbit_); }
   void estimate_left(double r);
@@ -93,7 +94,8 @@ class OrbitRide {
   std::optional<double> left_;        //!< result of left() [M]
   double left_estimated_at_r_ = 0.0;  //!< radius at which `left_` was last computed by integration [M]
   bool held_ = false;
-  bool taken_over_ = false;  //!< continues a path faster than comfortable, and is slowing down
+  //! The ride took over a velocity that is faster than comfortable, and is still slowing down.
+  bool taken_over_ = false;
 };
 
 //! Returns the velocity in the ZAMO frame of an observer with the angular velocity of a circular

@@ -55,7 +55,8 @@ PathReturn::PathReturn(const FlightSpace& space, const FlightSettings& settings,
       radial_speed_((camera[1].r - camera[0].r) / seconds) {
   const double fastest_turn = one_degree * settings.comfort.turn_deg_s;
   const Offset before = offset(camera[0], path[0]);
-  // Near half a turn, the rate of an offset is unreliable; the limit keeps it harmless.
+  // If an offset is near half a turn, its axis is unreliable, and so is the rate of the offset; the
+  // limit keeps such a rate harmless.
   rate_ = {shortened((start_.direction - nearest_turn(before.direction, start_.direction)) / seconds, fastest_turn),
            shortened((start_.view - nearest_turn(before.view, start_.view)) / seconds, fastest_turn)};
   const double turn = glm::length(start_.direction) + glm::length(start_.view);

@@ -10,7 +10,7 @@ namespace ergodome {
 //! It begins with the camera's velocity and ends with the path's. Direction and view are those of
 //! the path, rotated by the remaining difference. The height above the horizon is a weighted
 //! geometric mean of the path's and of the height that the camera coasts to, so it is never below
-//! both.
+//! the lower of the two.
 class PathReturn {
  public:
   //! Takes camera and path at two instants, `seconds` apart: [0] is earlier, [1] is the start. If

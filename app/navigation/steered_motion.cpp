@@ -17,7 +17,8 @@ constexpr double usual_part = 0.5;
 constexpr double head_part = 0.4;
 constexpr double around_part = 0.3;
 
-//! Returns the rate that covers the remaining way and comes to rest at its end.
+//! Returns a rotation rate that covers the remaining rotation `left` [rad]: at most `maximum`, and
+//! slow enough near the end to come to rest with `acceleration`.
 glm::dvec3 braked(const glm::dvec3& left, double maximum, double acceleration) {
   constexpr double delay_s = 0.3;
   const double distance = glm::length(left);
@@ -82,7 +83,7 @@ void SteeredMotion::follow_steering(const Steering& s, FlightMode mode, const gl
     const bool there = glm::length(mouse_turn_) < 1e-4 && glm::length(head_) < 1e-3;
     mouse_turn_ = there ? glm::dvec3(0.0) : mouse_turn_;
   }
-  // The two angles and the radial motion have separate limits.
+  // The two angles share one limit of acceleration; the radial motion and the flight share another.
   glm::dvec3 angles(around_.x, around_.y, 0.0);
   follow(angles, {around.x, around.y, 0.0}, seconds, around_part * turn_change);
   glm::dvec3 outward(0.0, 0.0, around_.z);

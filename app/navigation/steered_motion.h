@@ -21,8 +21,8 @@ class SteeredMotion {
         max_speed_(settings.max_speed),
         max_acceleration_(settings.comfort.accel) {}
 
-  //! Adds a motion of the mouse, which is followed in the next steps. At most 3.2 rad and two
-  //! distances remain to be followed.
+  //! Adds a motion of the mouse, which the next steps carry out. The motion still to be carried out
+  //! is limited to 3.2 rad and two distances.
   void add_mouse(const Steering& amounts);
   //! Discards the remaining motion of the mouse.
   void forget_mouse() { mouse_turn_ = mouse_way_ = glm::dvec3(0.0); }

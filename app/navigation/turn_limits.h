@@ -16,9 +16,9 @@ struct TurnLimits {
   double acceleration;  //!< maximum angular acceleration [rad/s²]
 };
 
-//! Divides the show's limits so that both motions together stay within them. Two rotations about
-//! axes that rotate each other change by their product; with a small acceleration limit, rotations
-//! are slow enough for that product to be a part of it.
+//! Divides the show's limits so that both motions together stay within them. If two rotations turn
+//! each other's axes, the product of their rates is an angular acceleration. With a small
+//! acceleration limit, the rates are limited so that this product is only a part of it.
 inline TurnLimits turn_limits(const ComfortSettings& comfort) {
   const double acceleration = one_degree * comfort.turn_accel_deg_s2;
   const double total = std::min(one_degree * comfort.turn_deg_s, std::sqrt(acceleration / 1.28));

@@ -9,7 +9,8 @@ namespace ergodome {
 
 namespace {
 
-//! A larger fraction of an axis' range is motion, a smaller one is noise.
+//! Minimum deviation of an axis from where it rested, as a fraction of its range, that counts as
+//! motion; smaller deviations are noise.
 constexpr double motion = 0.04;
 constexpr double min_travel = 0.5;
 

@@ -47,8 +47,8 @@ class PadCalibrator {
   bool first_rest_over_ = false;
   double resting_since_s_ = 0.0;
   Ranges all_{};
-  Ranges rest_{};        //!< ranges of the axes since the last motion
-  Ranges first_rest_{};  //!< ranges of the axes before the first motion
+  Ranges rest_{};        //!< ranges of values of the axes since anything last moved
+  Ranges first_rest_{};  //!< ranges of values of the axes before anything first moved
 };
 
 }  // namespace ergodome

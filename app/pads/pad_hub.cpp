@@ -13,7 +13,8 @@ namespace {
 constexpr double scan_every_s = 1.0;
 constexpr std::size_t longest_report = 65'536;
 constexpr std::size_t max_pads = 16;
-//! Waiting times for reports. With several controllers they are short, so that none delays another.
+//! Time to wait for a controller's first report, if one or if several are open. With several it is
+//! short, so that none delays another.
 constexpr int one_pad_wait_ms = 8;
 constexpr int several_pads_wait_ms = 2;
 constexpr int no_pad_wait_ms = 200;
@@ -155,7 +156,8 @@ void PadHub::poll(int wait_ms) {
     next_scan_s_ = now + scan_every_s;
   }
   if (pump(wait_ms)) {
-    // A controller is gone; it may already have reappeared elsewhere.
+    // A controller is gone. It may already be connected again under another path, so the next scan
+    // is soon.
     next_scan_s_ = std::min(next_scan_s_, now + 0.25);
   }
   publish(now_s_());

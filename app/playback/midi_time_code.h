@@ -78,14 +78,14 @@ class MidiTimeCodeReader {
   std::vector<std::uint8_t> exclusive_;
 
   std::array<std::uint8_t, 8> pieces_{};
-  int piece_ = -1;     //!< last piece; -1: none
+  int piece_ = -1;     //!< number of the last received piece of a code, 0 to 7; -1: none
   int direction_ = 0;  //!< direction of the pieces
   int in_row_ = 0;     //!< consecutive pieces, up to the eight of a code
   //! Frame number of the code that is being received, computed from the code before.
   std::optional<std::int64_t> code_;
   //! Frame number of the last accepted code or full frame message.
   std::optional<std::int64_t> position_;
-  bool doubted_ = false;  //!< the last code did not follow from those before
+  bool doubted_ = false;  //!< the last complete code did not follow from those before; the next one is accepted anyway
   CodeRate rate_ = CodeRate::fps25;
 };
 

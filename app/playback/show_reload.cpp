@@ -39,13 +39,15 @@ std::optional<FileStamp> stamp_of(const std::filesystem::path& path) {
 }
 
 void FileWatch::watch(const std::vector<std::filesystem::path>& paths, WallTime read_at) {
-  // Time stamps of file systems have a resolution of some milliseconds.
+  // Time stamps of file systems have a resolution of some milliseconds, so a file that changed
+  // shortly before `read_at` also counts as changed.
   const std::int64_t known_ns = nanoseconds_of(read_at - std::chrono::milliseconds(10));
   std::vector<File> files;
   for (const std::filesystem::path& path : paths) {
     const auto before = std::ranges::find(files_, path, &File::path);
     if (before != files_.end()) {
-      // Keeps changes made while the files were read; they are not reported yet.
+      // Keeps the state of a file that was already watched, so that a change during the reading is
+      // still reported.
       files.push_back(*before);
     } else {
       const auto stamp = stamp_of(path);

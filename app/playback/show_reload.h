@@ -59,7 +59,7 @@ class FileWatch {
  private:
   struct File {
     std::filesystem::path path;
-    std::optional<FileStamp> known;      //!< the version last reported
+    std::optional<FileStamp> known;      //!< version that was read or last reported; nothing: none, or a missing file
     std::optional<FileStamp> seen;       //!< version seen when last polled
     std::optional<MonotonicTime> since;  //!< when the seen version appeared
   };

@@ -132,7 +132,7 @@ struct PlayerStatus {
   //! Time since the external clock was last received [s]; absent if it never was, or if there is no
   //! external clock.
   std::optional<double> clock_silence_s;
-  std::string sound;     //!< the audio device, or that there is none
+  std::string sound;     //!< name of the audio device, or that there is none; "off" if sound is switched off
   std::string observer;  //!< name of the observer, and its speed
   std::string lens;
   std::string backend;

@@ -98,7 +98,8 @@ Player::Player(const Show& show, const RendererLoader::Make& make, std::unique_p
 Player::~Player() = default;
 
 void Player::begin(const Show& show, bool free_flight) {
-  // A blackout was set by an operator, so visitors cannot end it.
+  // A blackout was set by an operator, so the session of the next scene stays dark: visitors cannot
+  // end it.
   const bool dark = exhibit_ && session_ && session_->playback().dark();
   session_.emplace(show, session_options(options_, free_flight, *output_));
   eye_notice_.begin();
@@ -130,7 +131,8 @@ void Player::run() {
     notify_supervisor_alive(session_->now_s());
   }
   if (exhibit_) {
-    // Logs the end even if the disk is full.
+    // Saves the recording without throwing, so that the log gets its last lines even if the disk is
+    // full.
     keep_recording(RecordingMoment::end);
     exhibit_->keep_last();
     services_.log_changes(operator_log_.take_all());
@@ -362,8 +364,9 @@ void Player::update_texts() {
     times += pictures_.budget() ? fmt::format("\n{}", pictures_.budget()->display_text()) : "";
   }
   output_->set_text(PanelPosition::top_left, times);
-  // Captions for visitors use the same location and have priority. Nothing is shown in the attract
-  // show, nor before the first picture of a flight, while the attract show's last picture remains.
+  // Captions for visitors use the same location as the session's caption, and replace it. It is
+  // also hidden in the attract show, and while there is no renderer, because the attract show's
+  // last picture may remain until then.
   const bool quiet = options_.quiet || !words_.empty() ||
                      (exhibit_ && (exhibit_->scene() == ExhibitScene::attract || !pictures_.renderers().current()));
   output_->set_text(PanelPosition::bottom_middle, quiet ? "" : session_->caption());
@@ -459,7 +462,7 @@ void Player::change_scene() {
   const bool visitor = exhibit_->scene() == ExhibitScene::visitor;
   keep_recording(RecordingMoment::end);
   if (pictures_.renderers().renews()) {
-    // The version is read again when its scene returns.
+    // The version that is being loaded will be discarded; it is read again when its scene returns.
     services_.forget_version();
   }
   pictures_.renderers().enter(exhibit_->scene(), exhibit_->show());

@@ -76,7 +76,7 @@ void PlayerInputs::press(int key, PlayerInput& input) {
 
 void PlayerInputs::take_pads(const PadSnapshot& pads, PlayerInput& input) {
   const PadState now = pads.merged();
-  // Counts a button that was pressed and released between two frames.
+  // A button that was pressed and released between two frames counts as pressed once.
   PadState released = now;
   PadState pressed = now;
   for (std::size_t i = 0; i < pad_button_count; ++i) {
@@ -95,7 +95,8 @@ void PlayerInputs::take_pads(const PadSnapshot& pads, PlayerInput& input) {
 
 void PlayerInputs::find_chord(const PadState& pad) {
   const auto holds = [&](int left, int right) { return held_keys_.contains(left) || held_keys_.contains(right); };
-  // Always available, so that a custom map of controls cannot lock an operator in.
+  // This chord does not depend on the controls file, so that custom controls cannot lock an
+  // operator in.
   const bool keys = held_keys_.contains(GLFW_KEY_Q) && holds(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL) &&
                     holds(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
   const bool bound = std::ranges::any_of(held_keys_, [&](int key) {

@@ -45,7 +45,7 @@ class PlayerInputs {
   Controls controls_;
   InputLock lock_ = InputLock::open;
   std::set<int> held_keys_;
-  std::set<int> spent_keys_;  //!< those held keys whose press triggered an action
+  std::set<int> spent_keys_;  //!< held keys whose press triggered an action; they do not steer
   std::set<int> held_buttons_;
   PadState pad_before_;
   bool touched_ = false;

@@ -23,7 +23,7 @@ struct ServiceOptions {
   //! The time code at which the show begins ("01:00:00:00"); empty: midnight.
   std::string clock_start;
   bool sound = true;
-  double sound_later_s = 0.0;      //!< delay that compensates for slow displays
+  double sound_later_s = 0.0;      //!< delay of the sound [s], which compensates for a slow display
   std::filesystem::path log_file;  //!< empty: none
   bool log_on_terminal = true;
 };
@@ -95,7 +95,7 @@ class PlayerServices {
   std::unique_ptr<MidiClockInput> midi_;
   std::unique_ptr<AudioPlayer> sound_;
   WatchedShows shows_;
-  std::unique_ptr<RemoteControl> remote_;  //!< last, because its threads use the members above
+  std::unique_ptr<RemoteControl> remote_;  //!< declared last, so destroyed first: its threads use the members above
 };
 
 }  // namespace ergodome

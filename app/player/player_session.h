@@ -48,7 +48,7 @@ class PlayerSession {
   //! Returns whether the last `advance` requires another picture than the one before.
   [[nodiscard]] bool changed() const { return changed_; }
   //! Returns whether the next frame may need another picture: the last one changed, the camera
-  //! moves, or the show plays.
+  //! moves, or the show plays and the camera is on its path.
   [[nodiscard]] bool moving() const;
   [[nodiscard]] bool flying() const { return navigator_->course() != Navigator::Course::path; }
   //! Returns when the last input came, by the clock of the options [s].
@@ -93,20 +93,22 @@ class PlayerSession {
   void report_replaced_eyes();
   void navigate(const PlayerInput& input, double seconds);
   //! Returns the show time for which the next picture is rendered: that of the clock, plus the
-  //! change of show time during the display's delay; 0 if the show has no duration.
+  //! change of show time during the display's delay, up to the end of the show; 0 if the show has
+  //! no duration.
   [[nodiscard]] double picture_time_s() const;
   //! Updates the frame. `shown_time_s` is the show time of the previous frame.
   void update_frame(double seconds, double shown_time_s);
   //! Returns whether a visible caption or an overlay is present at a show time.
   [[nodiscard]] bool has_words_at(double time_s) const;
-  //! Ends the recording of a flight in this scene, which a fall has ended.
+  //! Ends the recording after a fall through the horizon has ended the flight; the recording
+  //! becomes a show of this scene.
   void end_recording(const Show& scene);
   //! Returns the show with its current numbers and the operator's stereo settings.
   [[nodiscard]] Show scene_now() const;
   //! Returns the show's stereo settings with the operator's changes.
   [[nodiscard]] StereoSettings chosen_stereo() const;
-  //! Returns chosen_stereo(), with what it may contain but cannot be shown replaced: quad-buffer
-  //! layout in a plain window by side by side, and the model `flat` if the show or the flight leads
+  //! Returns chosen_stereo() without what cannot be shown. Replaces the quad-buffer layout by side
+  //! by side in a plain window, and the model `flat` by another if the show or the flight leads
   //! through the horizon.
   [[nodiscard]] StereoSettings stereo_now() const;
   [[nodiscard]] double field_of_view_deg() const;

@@ -56,7 +56,8 @@ void SessionObserver::observe(double seconds, const ObserverScene& scene, Player
   if (mode != ObserverMode::natural || (falls_off_path && !within && fade_.fading())) {
     replace_observer(scene, in_zamo, frame);
   } else if (on_path) {
-    // Baked lenses are for the show's observer.
+    // Baked lenses are for the show's observer, so the renderer gets exactly this one, without a
+    // fade.
     frame.observer.motion = scene.show.camera.motion;
     frame.observer.velocity = scene.show.camera.velocity;
   }

@@ -21,7 +21,8 @@ struct ObserverScene {
 //! The observer of a session's frames: the show's, the camera's own, or one that a user chooses.
 class SessionObserver {
  public:
-  //! Chooses the next observer for a camera at a pose. Inside the horizon there is only one.
+  //! Chooses the next observer for a camera at a pose. Changes nothing inside the horizon, where
+  //! only the infalling observer is possible.
   void choose_next(const CameraPose& pose, Spacetime spacetime);
   void reset() { mode_ = ObserverMode::natural; }
   [[nodiscard]] bool is_chosen() const { return mode_ != ObserverMode::natural; }

@@ -25,8 +25,8 @@ struct RemoteOptions {
   std::string web_bind = "127.0.0.1";
   std::string web_token;
   std::string web_token_file;
-  //! File that saves the token between runs if the other two are empty; empty: each run makes a new
-  //! one.
+  //! File that keeps the token between runs, used if `web_token` and `web_token_file` are empty. If
+  //! this is empty too, each run makes a new token.
   std::filesystem::path saved_token_file;
   std::optional<int> osc_port;
   std::string osc_bind = "127.0.0.1";

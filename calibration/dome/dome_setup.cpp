@@ -58,7 +58,8 @@ bool share_output(const ProjectorSetup& a, const ProjectorSetup& b) {
          b.output.window_y_px < a.output.window_y_px + a.height_px;
 }
 
-//! Throws Error if two projectors share a name or a part of the screen.
+//! Throws Error if two projectors share a name or a monitor, or if their windows overlap on the
+//! desktop.
 void check_apart(const TomlTable& table, const ProjectorSetup& projector, const ProjectorSetup& other) {
   if (projector.name == other.name) {
     throw table.error_at("name", fmt::format("\"{}\" is used twice", projector.name.substr(0, 60)),

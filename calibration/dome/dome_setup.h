@@ -61,7 +61,7 @@ struct ProjectorSetup {
   ProjectorOutput output;
   std::optional<WarpFile> warp;
   std::string blend_mask;         //!< file with factors of the light; empty: none
-  double blend_mask_gamma = 1.0;  //!< exponent that makes its values linear
+  double blend_mask_gamma = 1.0;  //!< values of the blend mask to this power are linear light
   //! File with the factor of the lift per pixel; empty: the lift is the same everywhere.
   std::string black_level_mask;
   Vector3<double> black_level_lift{0.0, 0.0, 0.0};  //!< red, green, blue; linear fraction of the full light

@@ -193,7 +193,8 @@ bool DomePictures::leaves_behind(const DomeSetup& setup) const {
     return false;
   }
   for (std::size_t i = 0; i < files_.size(); ++i) {
-    // Surfaces and lens images are mapped to the master with the tilt, so they follow it.
+    // Surfaces and warps of a lens image are mapped to the domemaster with the current tilt, so
+    // they follow it.
     const bool flat = std::holds_alternative<WarpMesh>(files_[i].warp) && files_[i].source == WarpSource::dome_picture;
     if (flat) {
       return true;

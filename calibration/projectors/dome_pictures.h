@@ -13,9 +13,10 @@ namespace ergodome {
 //! the lenses and poses of the projectors. Such files can be recomputed after a change of the dome.
 //!
 //! They are warps of domemasters whose nodes agree with the points where the projector's light
-//! meets the dome, if the projector also has a mask file; and masks that the default BlendSettings
-//! produce for these projectors. The names of all other files, such as external calibrations or
-//! warps with manually moved corners, are kept.
+//! meets the dome, if the setup also names a blend mask and no black level comes from the warp's
+//! file; and the blend masks beside such warps, if the default BlendSettings produce them. The
+//! names of all other files, such as external calibrations or warps with manually moved corners,
+//! are kept; also those of all files if a projector has no lens.
 //!
 //! `loaded` contains the result of load_projector() for each projector.
 DomeSetup without_computed_files(const DomeSetup& setup, const std::vector<LoadedProjector>& loaded);

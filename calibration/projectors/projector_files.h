@@ -17,8 +17,9 @@ struct LoadedProjector {
   //! the raster.
   std::variant<std::monostate, WarpMesh, SurfaceMesh> warp;
   WarpSource source = WarpSource::dome_picture;
-  //! The view's, if a warp file (not MPCDI) states one; otherwise the setup's, or else the MPCDI
-  //! region's.
+  //! The lens of the view, if a warp file (not MPCDI) states one; otherwise the setup's; without
+  //! one, the MPCDI region's. The orientation comes with it, and the position with that of the
+  //! MPCDI region.
   Lens lens;
   Vector3<double> position_m{};
   Orientation orientation;

@@ -210,7 +210,8 @@ double ProjectorOptics::depth(const RasterPosition& position) const {
 }
 
 double ProjectorOptics::spread_m2(const RasterPosition& position) const {
-  // The third-order error of this step is far below a pixel.
+  // Step of the difference quotients, in widths or heights of the raster. Their error is far below
+  // a pixel.
   constexpr double step = 1e-4;
   const auto here = dome_point(position);
   if (!here) {

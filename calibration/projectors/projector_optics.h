@@ -24,8 +24,8 @@ class ProjectorOptics {
   ProjectorOptics(const DomeSetup& setup, const ProjectorSetup& projector);
 
   //! Returns the point of the sphere that a position of the raster lights [m]; nothing if the light
-  //! misses the mirror or the sphere. A fisheye's mapping continues beyond its unlit image circle,
-  //! so that meshes need not end there.
+  //! misses the mirror or the sphere, or is blocked by the shell. A fisheye's mapping continues
+  //! beyond its image circle, where no light falls, so that meshes need not end there.
   [[nodiscard]] std::optional<Vector3<double>> dome_point(const RasterPosition& location) const;
 
   //! Returns the position of the raster that lights a point of the sphere: the inverse of

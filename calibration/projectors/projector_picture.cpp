@@ -47,8 +47,9 @@ WarpMesh warp_of_surface(const DomeScreen& screen, const SurfaceMesh& surface) {
   return with_rim(mesh);
 }
 
-//! Returns the number of steps into which a cell must be divided so that, in each step, the lens
-//! image deviates from a straight line by less than about 0.1 pixel of a 4096-pixel domemaster.
+//! Returns the number of steps, at most 128, into which each side of a cell must be divided so
+//! that, in each step, the lens image deviates from a straight line by less than about 0.1 pixel of
+//! a 4096-pixel domemaster.
 int steps_through_lens(const WarpMesh& warp, const Frustum& frustum) {
   // In units of the tangent plane, in which angles are not linear: a step of 1/32 is less than 2°.
   constexpr double longest_step = 1.0 / 32.0;
@@ -95,8 +96,8 @@ WarpMesh unturned_warp(const DomeSetup& setup, const ProjectorSetup& projector, 
   return dome_warp(ProjectorOptics(setup, placed), screen, master_px, tolerance_px);
 }
 
-//! Rotates the positions in the domemaster so that the front of the domemaster is shown `angle` to
-//! the right.
+//! Rotates the positions in the domemaster so that the front of the domemaster is shown `angle`
+//! [rad] to the right.
 void turn(WarpMesh& mesh, double angle) {
   if (angle == 0.0) {
     return;

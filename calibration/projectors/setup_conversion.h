@@ -45,9 +45,9 @@ Mpcdi mpcdi_from_setup(const DomeSetup& setup, const std::string& date);
 Mpcdi mpcdi_from_pictures(const std::vector<ProjectorPicture>& pictures, const std::string& date,
                           const std::function<void(long)>& progress = {});
 
-//! Returns a note for a calibration converted from a setup, if the dome is tilted: the file does
-//! not store the tilt, which level test patterns need, and the remedy. The note follows the file's
-//! name. Empty without a tilt.
+//! Returns a note about the calibration converted from the setup of a tilted dome: that it includes
+//! the tilt, but does not state it, as level test patterns require; and what to do. The note is
+//! written so that it can follow the file's name. Empty without a tilt.
 std::string tilt_note(const DomeSetup& setup, const Mpcdi& mpcdi);
 
 }  // namespace ergodome

@@ -49,8 +49,8 @@ class Resampler {
   }
 
  private:
-  //! Maximum number of tests per sample on average: cells that overlap more do not form an image
-  //! and would take hours.
+  //! Maximum number of tests whether a triangle covers a sample, per sample on average: cells that
+  //! overlap more do not form an image and would take hours.
   static constexpr double max_layers = 64.0;
 
   [[nodiscard]] Corner corner(const WarpNode& node) const {

@@ -42,7 +42,7 @@ std::pair<KeyMotion, KeyMotion> motions(const CameraKeys& keys, const Way& way, 
           motion_at_end(way.ends.end, own, way.from + 2 < keys.size() ? chord(way.from + 1) : own)};
 }
 
-//! Returns a coordinate at t in [0, 1] of a segment.
+//! Returns the coordinate that `value(key)` selects, at the fraction t in [0, 1] of a segment.
 template <class Value>
 double interpolated(const CameraKeys& keys, const Way& way, double t, const Value& value) {
   const double from = value(keys[way.from]);
@@ -79,11 +79,12 @@ glm::dvec3 turn_between(const CameraKeys& keys, std::size_t i) {
 //! Interpolates the orientation so that it is C² within a segment: the cumulative form of Kim, Kim
 //! & Shin (SIGGRAPH 1995), with the Bernstein basis of degree five.
 //!
-//! q(t) = q0 Π exp(ω_k B_k(t)), where B_k is the sum of the basis functions from k on. In the
-//! camera's frame, its angular velocity at t = 0 is 5 ω1 and its derivative 20 (ω2 - ω1). At t = 1
-//! these are 5 ω5 and 20 (ω5 - R ω4), where R is the inverse rotation by ω5. At a key, each
-//! component of the angular velocity is limited in the same way as the rate of a coordinate. The
-//! two segments at a key use the camera's frame there, so that their angular velocities match.
+//! q(t) = q0 Π exp(ω_k B_k(t)), where B_k is the sum of the basis functions from k on, and ω_k is
+//! an axis times half an angle, as in logarithm(). In the camera's frame, half its angular velocity
+//! at t = 0 is 5 ω1 and the derivative of that 20 (ω2 - ω1). At t = 1 these are 5 ω5 and
+//! 20 (ω5 - R ω4), where R is the inverse rotation by ω5. At a key, each component of the angular
+//! velocity is limited in the same way as the rate of a coordinate. The two segments at a key use
+//! the camera's frame there, so that their angular velocities match.
 glm::dquat orientation_between(const CameraKeys& keys, const Way& way, double t) {
   const glm::dquat q0 = key_orientation(keys[way.from]);
   const glm::dvec3 whole = turn_between(keys, way.from);
@@ -123,7 +124,7 @@ CameraKeys keys_until(CameraKeys keys, double time_s) {
 }
 
 //! Position of a time on the path: a segment and the completed fraction `t` of it, or the key at
-//! which the camera is held.
+//! which the camera rests: one that is held, or the first or last key.
 struct OnTheWay {
   std::optional<std::size_t> held;
   Way way{};

@@ -9,7 +9,7 @@
 namespace ergodome {
 
 //! The proper time of a falling camera as a function of show time: the integral of its clock rate,
-//! which starts from 0 and returns to 0 at the end of the fall.
+//! which rises smoothly from 0 when the fall begins, and falls to 0 when it ends, if it ends.
 class FallClock {
  public:
   //! `changing` contains the keys of an animated clock rate, else it is nullptr; it is copied.
@@ -18,8 +18,8 @@ class FallClock {
   //! Returns the camera's proper time since its fall began [M]; 0 before. Never decreases.
   [[nodiscard]] double proper_time(double time_s) const;
 
-  //! Returns the show time when the proper time reaches a positive value [s]; nothing if that is
-  //! not by `end_s`.
+  //! Returns the show time when the proper time reaches a positive value [s]; nothing if that
+  //! happens later than `end_s` or never.
   [[nodiscard]] std::optional<double> time_s(double proper_time, double end_s) const;
 
   //! Makes the proper time stop smoothly at a positive value.

@@ -15,7 +15,7 @@ constexpr double step_error = 1e-13;
 constexpr std::size_t max_steps = 200'000;
 //! Distance from the horizon at which a fall ends if it may not cross the horizon [M].
 constexpr double horizon_gap = 1e-6;
-//! Maximum time for which clocks are evaluated.
+//! Latest show time at which a clock may still reach the horizon or its stop [s].
 constexpr double end_of_time_s = 1e12;
 //! Minimum change since the last turning point, or since the start, for another turning point to
 //! count: relative change of the radius, or change of the polar angle [rad]. Smaller changes are
@@ -166,8 +166,8 @@ struct FreeFall::Swing {
   double last;  //!< value of `measure` at the last turning point, or at the beginning
 };
 
-//! Records a turning point if there is one in a step. Stores its proper time in the member for its
-//! show time, which is computed later.
+//! Records a turning point if there is one in a step. FallTurn::time_s holds its proper time until
+//! the constructor replaces it by the show time.
 void FreeFall::note_turn(const Station& from, const Station& to, Swing& swing) {
   const bool rises = swing.rate(from.state) > 0.0;
   const bool has_swung = std::abs(swing.measure(from.state) - swing.last) > 0.5 * min_swing;

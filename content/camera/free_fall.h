@@ -47,8 +47,8 @@ struct FallTurn {
 //! from the preceding state. Step errors are below 1e-13 rad.
 class FreeFall {
  public:
-  //! Computes the orbit up to `end_s`. It ends earlier near the horizon, at `least_r`, or after too
-  //! many steps.
+  //! Computes the orbit up to the show time `end_s`. It ends earlier at FallSettings::least_r, near
+  //! the horizon unless least_r is inside it, or after too many steps.
   FreeFall(Spacetime spacetime, const FallStart& start, const FallSettings& settings, const Animation* clock,
            double end_s);
 
@@ -92,7 +92,7 @@ class FreeFall {
     double proper_time;  //!< [M]
     OrbitState state;
     double phi;        //!< continuous azimuth [rad]
-    double swept;      //!< angle [rad]
+    double swept;      //!< angle that the direction from the hole has swept since the beginning [rad]
     glm::dquat frame;  //!< FallPosition::frame, but into fixed axes (z along the spin axis)
   };
 

@@ -6,9 +6,8 @@
 
 namespace ergodome {
 
-//! Minimum ratio of a stopping radius outside the horizon to the horizon's radius; also of the
-//! horizon's radius to a stopping radius inside it. The clock of a fall stops at its stopping
-//! radius.
+//! Minimum ratio of two radii, the larger to the smaller: that of the horizon, and the one at which
+//! the clock of a fall stops, outside or inside.
 inline constexpr double nearest_rest = 1.001;
 
 //! Returns the minimum radius at which the clock of a fall can stop [M].

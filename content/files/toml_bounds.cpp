@@ -11,8 +11,8 @@ namespace ergodome {
 
 namespace {
 
-//! Scans TOML by its punctuation alone. Takes strings and comments to end where toml++ 3.3 ends
-//! them, or where it reports an error.
+//! Scans TOML by its punctuation alone. A string or comment ends where the parser, toml++ 3.3, ends
+//! it or would report an error.
 class TomlScan {
  public:
   TomlScan(std::string_view text, const std::string& file) : text_(text), file_(file) {}

@@ -11,8 +11,8 @@ namespace ergodome {
 inline constexpr int max_toml_key_parts = 16;
 inline constexpr int deepest_toml_nesting = 32;
 inline constexpr long max_toml_values = 1'000'000;
-//! Parts of dotted keys and of table headers; a header that repeats the previous one does not
-//! count.
+//! Maximum number of parts of all dotted keys and table headers of a file together; a header that
+//! repeats the previous one does not count.
 inline constexpr long max_toml_dotted_parts = 40'000;
 
 //! Checks the limits above without parsing. Throws Error with file and line.

@@ -17,8 +17,8 @@
 
 namespace ergodome {
 
-//! Shape of an image as it is shown: turned by the file's Orientation (TIFF, Exif), and in
-//! OpenEXR's display window, black where the window has no pixels.
+//! Shape of an image as it is shown: rotated by the file's Orientation (TIFF, Exif) unless
+//! Wishes::as_stored; of OpenEXR the display window, black where the file has no pixels.
 struct ImageShape {
   int width = 0;
   int height = 0;
@@ -151,10 +151,11 @@ class ImageLibrary {
     //! True: integer colors are not multiplied by alpha on reading, because that must follow their
     //! decoding from sRGB; see ImageShape::separate_alpha.
     bool separate_alpha = false;
-    bool as_stored = false;    //!< true: the image is not rotated upright
+    //! True: the image is not rotated upright, and integers count as sRGB, whatever the metadata.
+    bool as_stored = false;
     bool as_light = false;     //!< colors become linear Rec. 709 light, unless the shape is `encoded`
     bool as_panorama = false;  //!< a crop of a panorama is put at its position in it (GPano)
-    std::string layer{};       //!< layer of an OpenEXR file; empty for the main layer
+    std::string layer{};       //!< layer of an OpenEXR file, used with `as_light`; empty for the main layer
   };
 
   //! Opens an image; the ending of its name gives the format of `bytes`. Returns null and sets

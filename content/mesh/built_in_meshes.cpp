@@ -75,7 +75,7 @@ TriangleMesh make_sphere(const SphereShape& shape) {
     return vertex_of(position, position, u, v);
   });
   end_part(mesh, {1.0F, 1.0F, 1.0F});
-  // Cells that touch a pole have one triangle, not two.
+  // In cells that touch a pole, one of the two triangles has no area.
   drop_degenerate_triangles(mesh);
   mesh.dropped_triangles = 0;
   return mesh;

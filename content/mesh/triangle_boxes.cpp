@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::uint32_t leaf_triangles = 4;
 constexpr int bin_count = 16;
-//! Subtrees of at most max(min_part, triangles / max_parts) triangles are built in parallel: about
-//! max_parts keep all threads equally busy, and each is large enough.
+//! Subtrees of at most max(min_part, triangles / max_parts) triangles are built in parallel. About
+//! max_parts of them keep all threads equally busy; smaller ones are not worth a task.
 constexpr std::size_t max_parts = 256;
 constexpr std::size_t min_part = 4096;
 //! From this depth on, nodes are halved by triangle count, which keeps any mesh within
@@ -54,7 +54,7 @@ struct Item {
 
 using ItemIterator = std::vector<Item>::iterator;
 
-//! A cut of a node into a near and a far part.
+//! A cut of a node across an axis, into a near part (smaller coordinates) and a far part.
 struct Cut {
   int axis = -1;
   int bin = 0;  //!< the first bin of the far part

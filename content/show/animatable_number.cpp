@@ -23,7 +23,7 @@ void* part_at(const Show& show, Steps steps) {
 
 bool has_number(const ShowKey& key) { return key.changes || std::ranges::any_of(key.keys, has_number); }
 
-//! Adds the numbers among these keys and those in the tables below them.
+//! Adds the animatable numbers among these keys and in the tables below them.
 void add_numbers(std::span<const ShowKey> keys, const std::string& path, Steps steps,
                  std::vector<AnimatableNumber>& numbers) {
   for (const ShowKey& key : keys) {

@@ -42,9 +42,9 @@ struct AnimatableNumber {
   NumberChange change;
   std::vector<Step> steps;
 
-  //! Returns nothing if the show lacks the part.
+  //! Returns the number; nothing if the show lacks the table that contains it.
   [[nodiscard]] std::optional<double> get(const Show& show) const;
-  //! Does nothing if the show lacks the part.
+  //! Sets the number; does nothing if the show lacks the table that contains it.
   void put(Show& show, double value) const;
 };
 
@@ -53,7 +53,7 @@ std::span<const AnimatableNumber> animatable_numbers();
 //! Returns the animatable number with this path, or nullptr.
 const AnimatableNumber* find_animatable(std::string_view path);
 
-//! Returns the limits of the number with this path for its own key. The number must exist.
+//! Returns AnimatableNumber::limits of the number with this path, which must exist.
 NumberLimits limits_of(std::string_view path);
 
 //! Returns the limits of a number in a show: some lenses have a smaller maximum field of view. The

@@ -36,7 +36,7 @@ double value_between(std::size_t count, const KeyAt& key, std::size_t i, double 
                  motion_at_end(ends.end, own, i + 2 < count ? chord(key, i + 1) : own), t);
 }
 
-//! Sets each animated number to `value(animation)`.
+//! Sets each animated number to `value(animation)`. Returns what the changed numbers invalidate.
 template <class Value>
 NumberChange put_values(Show& show, const Value& value) {
   NumberChange changed;

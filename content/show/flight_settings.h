@@ -18,7 +18,7 @@ inline constexpr std::array flight_mode_names = {"orbit", "fly", "hover", "geode
 //! Limits on the motion of a visitor's camera, whatever the input.
 struct ComfortSettings {
   double turn_deg_s = 60.0;         //!< maximum turn rate of the view
-  double turn_accel_deg_s2 = 90.0;  //!< maximum change of the turn rate
+  double turn_accel_deg_s2 = 90.0;  //!< maximum angular acceleration of the view
   //! Maximum acceleration per distance from the guard surface [1/s²].
   double accel = 1.5;
 

@@ -14,7 +14,8 @@ glm::dmat3 about_pole(double angle) {
   return {{std::cos(angle), std::sin(angle), 0.0}, {-std::sin(angle), std::cos(angle), 0.0}, {0.0, 0.0, 1.0}};
 }
 
-//! Returns the rotation whose columns are the axes of the coordinates.
+//! Returns the rotation from map coordinates to equatorial J2000: its columns are the axes of the
+//! map coordinates.
 glm::dmat3 equatorial_from(MapCoordinates coordinates) {
   constexpr double obliquity = (23.0 + 26.0 / 60.0 + 21.448 / 3600.0) * one_degree;
   switch (coordinates) {

@@ -12,7 +12,9 @@ enum class MapCoordinates { equatorial, galactic, ecliptic };
 struct MapLayout {
   MapCoordinates coordinates = MapCoordinates::equatorial;
   double middle_deg = 270.0;  //!< longitude in the middle of the image
-  bool mirrored = false;  //!< longitude increases to the right, as on a globe, instead of to the left, as on the sky
+  //! True: longitude increases to the right, as on a globe seen from outside, instead of to the
+  //! left, as on the sky.
+  bool mirrored = false;
 
   bool operator==(const MapLayout&) const = default;
 };

@@ -97,8 +97,8 @@ struct PointLight {
 //! float tables barely distinguish from the edge of the shadow.
 inline constexpr int max_polygon_images = 5;
 
-//! Range of the radii of objects' triangles with ObjectMethod::polygon [M]; minimum radius of
-//! objects' orbits, of lights and, with ObjectMethod::polygon, of cameras.
+//! Radii [M]. The first two: range for triangles of objects with ObjectMethod::polygon. The third:
+//! minimum for orbits of objects, for lights and, with ObjectMethod::polygon, for cameras.
 inline constexpr double nearest_of_objects = 2.1;
 inline constexpr double farthest_of_objects = 1e5;
 inline constexpr double nearest_of_observers = 3.0;

@@ -206,7 +206,7 @@ struct StereoSettings {
   double baseline = 0.0;        //!< interocular distance [M]
   double convergence = 0.0;     //!< distance of points without parallax [M]; 0: infinity
   double fade_from_deg = 60.0;  //!< elevation, up and down, from which the baseline of StereoModel::omni is reduced
-  double fade_to_deg = 90.0;    //!< elevation at which it reaches 0
+  double fade_to_deg = 90.0;    //!< elevation, up and down, at which that baseline reaches 0
   double comfort_deg = 1.0;     //!< range of disparities that viewers fuse without effort
   bool swap_eyes = false;
   bool tint_eyes = false;  //!< tints the left eye's image red and the right eye's cyan
@@ -298,7 +298,8 @@ struct Show {
   FlightSettings flight;
 };
 
-//! Returns the spacetime of the show; that of the first instant if its spin is animated.
+//! Returns the spacetime of Show::spin. If the spin is animated, that is the fixed number of the
+//! file, or the value that animate() set last; spacetime_at() returns the one at a time.
 inline Spacetime spacetime_of(const Show& show) { return Spacetime{show.spin}; }
 
 //! Returns the default field of view of a projection [deg].
@@ -307,8 +308,8 @@ double usual_field_of_view_deg(ViewProjection projection);
 //! Returns the number of frames of the whole show; at least one.
 int frame_count(const Show& show);
 
-//! Returns the language tags of the show's captions, chapters and narration, or those of its title
-//! for a show without them.
+//! Returns the language tags of the show's captions, chapter titles and audio tracks, or those of
+//! its own title if these have none.
 std::vector<std::string> languages(const Show& show);
 
 //! Returns the show time of a frame, counted from 0 [s].

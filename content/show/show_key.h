@@ -87,18 +87,19 @@ struct ShowKey {
   //! Returns why the key is unused in a show, or nullptr if it is used.
   const char* (*unused)(const Show& show, const void* settings) = nullptr;
 
-  //! One or two sentences for the reference page; empty: only for tables.
+  //! One or two sentences for the reference page. Only tables may have none.
   std::string_view meaning;
   PageText page;
 };
 
-//! Returns the limits of a number in these settings.
+//! Returns the limits of a number: those of ShowKey::narrower for these settings, if it is set, or
+//! else ShowKey::limits.
 inline NumberLimits limits_of(const ShowKey& key, const void* settings) {
   return key.narrower != nullptr ? key.narrower(settings) : key.limits;
 }
 
-// Values of KeyOf::animated(): the parts that an animation of the number changes, besides the
-// picture itself.
+// Arguments for KeyOf::animated(): the parts of a rendering that an animation of the number
+// invalidates, besides the picture itself.
 inline constexpr NumberChange changes_stars{true, false, false};
 inline constexpr NumberChange changes_sky{true, true, false};
 inline constexpr NumberChange changes_exposure{false, false, true};
@@ -345,7 +346,8 @@ constexpr KeyOf<Settings> other(std::string_view name, std::string_view meaning)
 }
 
 //! Returns the prefix of the paths of keys in a table: "sky.", for example. `path` is the prefix of
-//! the table's own path ("" or "sky."); `i` is the entry if the table is in a list.
+//! the table's own path ("" or "sky."); `i` is the entry if the table is in a list. Returns `path`
+//! for KeyKind::part, which has no table of its own.
 std::string path_below(const std::string& path, const ShowKey& key, std::size_t i);
 
 //! The declarations of a table's keys, in the order in which they are read and documented.

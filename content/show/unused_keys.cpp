@@ -37,8 +37,8 @@ class UnusedKeyFinder {
   }
 
  private:
-  //! Returns true if `path` is the key itself or a key below it. If the table has a line of its own
-  //! in the file, keys below it are not reported separately.
+  //! Returns true if `path` is the key itself or a key below it. If `key` is a table with a line of
+  //! its own in the file, keys below it are reported only if they are animated (`animation`).
   [[nodiscard]] bool is_of(std::string_view key, std::string_view path, bool animation) const {
     const bool below = path.starts_with(key) && path.substr(key.size()).starts_with('.');
     return path == key || (below && (animation || !show_.lines.contains(std::string(key))));

@@ -14,9 +14,9 @@ struct UnusedKey {
   std::string why;  //!< text for a message, such as "is used only with curve = \"gamma\""
 };
 
-//! Returns the unused keys of a show, in the order of its file: keys that apply only to a tone
-//! curve, pattern, filter, projection or stars that the show does not use. Empty for a show that
-//! was not read from a file.
+//! Returns the unused keys of a show, in the order of its file: those for which ShowKey::unused
+//! returns a reason, such as keys of a tone curve or projection that the show does not use. Empty
+//! for a show that was not read from a file.
 std::vector<UnusedKey> unused_keys(const Show& show);
 
 }  // namespace ergodome

@@ -24,7 +24,8 @@ std::optional<CubeMapLayout> cube_map_layout(int width, int height, bool openexr
 std::array<int, 2> faces_of(CubeMapLayout layout);
 
 //! Returns true if each cell of a cross that contains no face has a single color, within JPEG
-//! errors; also for other layouts. Other images of the same shape have content there.
+//! errors. Images of the same shape that are no cube maps have content there. Always true for
+//! layouts other than crosses.
 bool has_plain_corners(const EnvironmentImage& image, CubeMapLayout layout);
 
 //! Resamples a cube map to an equirectangular image of `width` x `width` / 2 texels, bilinearly

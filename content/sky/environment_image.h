@@ -60,7 +60,7 @@ LayeredFile layered_file(const std::filesystem::path& name);
 
 //! Reads an equirectangular image (2:1) or a cube map (CubeMapLayout), which becomes
 //! equirectangular; EXR, HDR, PNG, TIFF, JPEG and others, through OpenImageIO. The name may select
-//! an OpenEXR layer.
+//! an OpenEXR layer. Averages an image wider than `largest_width` texels down to that width.
 EnvironmentImage read_environment_image(const std::filesystem::path& name, int largest_width = 8192);
 
 //! Reads a sky image, as the function above does, from the bytes of a file; the ending of `name`

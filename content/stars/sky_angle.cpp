@@ -49,8 +49,8 @@ std::optional<double> take_part(std::string_view& text) {
   return value;
 }
 
-//! Takes the separator between part `index` and the next one. Returns false if it is missing or
-//! belongs to another part.
+//! Takes the mark or spaces after part `index`. Returns false if the next characters are neither,
+//! or a mark of another part. None are needed at the end of the text.
 bool take_mark(std::string_view& text, int index, SkyAngle& angle) {
   const bool spaces = skip_spaces(text);
   bool marked = false;

@@ -209,8 +209,8 @@ class TableLines {
     }
   }
 
-  //! Replaces spaces and tabs outside quotes by a single space between cells, and removes them at
-  //! the ends of a line.
+  //! Appends a character of the file to `text`. Outside quotes, several spaces and tabs between
+  //! cells become a single space, and those at both ends of a line are dropped.
   void add_with_single_spaces(char c, std::string& text) {
     const bool line_end = c == '\n' || c == '\r';
     if (!in_quotes_ && (c == ' ' || c == '\t')) {

@@ -18,7 +18,8 @@ class TableBuilder {
  public:
   explicit TableBuilder(std::string file) : file_(std::move(file)), rows_(file_) {}
 
-  //! Sets the character between cells, and units of columns from comments, before the header.
+  //! Sets the character between cells, and the units of columns that comments state. Call it before
+  //! the header is parsed.
   void begin(char separator, UnitsByName units);
 
   void take_cell(std::string_view cell);

@@ -74,7 +74,8 @@ std::array<std::optional<Candidate>, 2> choose_coordinates(const std::vector<std
           decs.empty() ? std::nullopt : std::optional(decs.front())};
 }
 
-//! Identifies the program that wrote the table, if that decides the unit of `ra`.
+//! Sets the program that wrote the table, if its column names identify one. That program decides
+//! the unit of the right ascension if it is still open.
 void find_program(TableColumns& columns, const std::vector<std::string>& names) {
   const auto any = [&](std::initializer_list<std::string_view> signs) {
     return std::ranges::any_of(signs, [&](std::string_view sign) { return holds(names, sign); });

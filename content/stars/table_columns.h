@@ -33,8 +33,9 @@ const char* words_of(Quantity quantity);
 //! The unit of a coordinate. `open`: not stated; decided by the values of the column.
 enum class AngleUnit { open, degrees, hours, radians };
 
-//! The source of the unit of the right ascension. `units_row`: a row of units, an ECSV comment,
-//! or brackets after the name. `program`: the program that wrote the table.
+//! The source of the unit of a coordinate. `values`: its values; `name`: the column's name;
+//! `units_row`: a row of units, an ECSV comment, or brackets after the name; `program`: the program
+//! that wrote the table.
 enum class UnitSource { values, name, units_row, program };
 
 struct CoordinateUnit {
@@ -59,8 +60,8 @@ struct TableColumns {
 using UnitsByName = std::map<std::string, std::string, std::less<>>;
 
 //! Chooses the columns to read. If several hold the same quantity, the order of preference decides;
-//! both coordinates come from one pair. Throws Error at `location` if a quantity is missing, a name
-//! occurs twice, or a unit is not supported.
+//! both coordinates come from one pair (KnownName::pair) if possible. Throws Error at `location` if
+//! a coordinate or a magnitude is missing, a name occurs twice, or a unit is not supported.
 TableColumns choose_columns(const std::vector<std::string>& names, const UnitsByName& units,
                             const std::string& location);
 

@@ -33,7 +33,8 @@ class NumberTable {
   //! Reads the first line; `file` is the name of the table in messages.
   NumberTable(std::istream& stream, std::string file);
 
-  //! Returns the index of a column by its name. Throws Error if two columns have it.
+  //! Returns the index of a column by its name, or nothing. Throws Error if two columns have the
+  //! name.
   [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
   //! Returns the index of a required column. Throws Error if it is missing.
   [[nodiscard]] std::size_t need(std::string_view name) const;

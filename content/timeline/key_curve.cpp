@@ -20,8 +20,8 @@ constexpr double steepest_straight = 1.25;
 
 double same_sign(double value, double as) { return std::copysign(value, as); }
 
-//! Returns the motion at the end of a span that has full speed there and rests at its other end:
-//! that of the cubic t³.
+//! Returns the two derivatives at the end of a span (`side` 1), or at its beginning (-1), if the
+//! curve has full speed there and rests at the other end: those of the cubic t³.
 KeyMotion unslowed(const Chord& own, double side) { return {3.0 * own.rate, side * 6.0 * own.rate / own.span_s}; }
 
 KeyMotion straight_on(const Chord& other, const Chord& own) {
@@ -51,7 +51,8 @@ Limits limits_at_end(double m, const Chord& way) {
   return {std::min(back, forth), std::max(back, forth)};
 }
 
-//! Returns true if the curve rests at an inner key.
+//! Returns true if the curve rests at an inner key because it is held or eased; `before` is the key
+//! before it.
 bool rests_between(const CurveKey& before, const CurveKey& key) {
   const bool held = key.leave_s > key.arrive_s;
   return held || key.ease == Ease::in || key.ease == Ease::in_out || before.ease == Ease::out ||

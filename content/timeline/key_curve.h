@@ -18,7 +18,7 @@ struct CurveKey {
 //! Rises from 0 to 1 on [0, 1]; its first and second derivative are zero at both ends.
 inline double eased(double s) { return s * s * s * (10.0 + s * (6.0 * s - 15.0)); }
 
-//! The motion of a curve at a key.
+//! The first and second derivative of a curve at a key.
 struct KeyMotion {
   double rate = 0.0;    //!< first derivative of the curve [1/s]
   double change = 0.0;  //!< second derivative of the curve [1/s²]
@@ -64,8 +64,9 @@ KeyMotion motion_at_begin(SpanEnd end, const Chord& before, const Chord& own);
 //! other side of the key.
 KeyMotion motion_at_end(SpanEnd end, const Chord& own, const Chord& after);
 
-//! Returns the quintic from `from` to `to` in `span_s` with these motions at its ends, at t in [0,
-//! 1]. With the motions above it is monotonic, because its Bernstein coefficients are.
+//! Returns the value, at t in [0, 1], of the quintic from `from` to `to` in `span_s` with these
+//! derivatives at its ends. With those that the functions above return it is monotonic, because its
+//! Bernstein coefficients are.
 double quintic(double from, double to, double span_s, const KeyMotion& begin, const KeyMotion& end, double t);
 
 }  // namespace ergodome

@@ -103,7 +103,8 @@ struct Timeline {
   std::vector<AudioTrack> audio;
 };
 
-//! Returns the language tags of all titles, captions and audio tracks, in alphabetical order.
+//! Returns the language tags of all chapter titles, captions and audio tracks, in alphabetical
+//! order.
 std::vector<std::string> languages(const Timeline& timeline);
 
 //! Returns the text in a language ("de-AT", then "de"); else the one without a language, else

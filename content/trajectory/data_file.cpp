@@ -55,7 +55,7 @@ std::uint64_t DataFile::size() const {
 }
 
 Bytes DataFile::read(std::uint64_t offset, std::uint64_t count, const std::string& location) const {
-  // A damaged file can claim any size.
+  // Checked before memory is allocated: a damaged file can claim any size.
   if (const std::uint64_t all = size(); offset > all || count > all - offset) {
     throw Error(location, "is truncated", "bake it again");
   }

@@ -11,11 +11,12 @@ namespace ergodome {
 //! the rain frame, including those in the shadow. It applies to every motion, orientation and
 //! azimuth of the camera at that position. DiskGrid documents the arrays.
 struct DiskStation {
-  //! Arrays of nodes by order of crossing. If the disk has a pattern there is one for each order,
-  //! otherwise only that of the first order.
+  //! Arrays of nodes. If the disk has a pattern, there is one for each order of crossing; otherwise
+  //! only the first is used, and its nodes have 1/r of all orders.
   using NodeSets = std::vector<float>[layer_orders];
 
-  //! Grid cells, without nodes; the chart is that of kernels/disk/disk_chart.h, without a range.
+  //! Grid cells, without nodes; the chart is that of kernels/disk/disk_chart.h, which does not use
+  //! LensStation::range.
   LensStation cells;
   double inner_r = 0.0;  //!< inner edge of the disk [M]
   double outer_r = 0.0;

@@ -49,7 +49,7 @@ struct TrajectoryHeader {
 
 struct FrameHeader {
   FrameKind kind;
-  std::uint32_t number;         //!< index of the station, also for its disk layers; 0 in other frames
+  std::uint32_t number;         //!< index of a station, also for its disk layers; 0 in journals and other frames
   std::uint64_t payload_bytes;  //!< size of the payload as stored in the file
   //! Size of the payload after decompression; equals payload_bytes if it is not compressed.
   std::uint64_t unpacked_bytes;
@@ -73,7 +73,7 @@ inline Bytes make_frame(FrameKind kind, std::span<const std::byte> payload) {
 FrameHeader parse_frame_header(std::span<const std::byte> bytes, const std::string& location);
 
 //! Returns the payload of a complete frame. Throws Error unless the frame has this kind, exactly
-//! this length and a correct checksum.
+//! the length that its header states, and a correct checksum.
 std::span<const std::byte> checked_payload(std::span<const std::byte> frame, FrameKind kind,
                                            const std::string& location);
 

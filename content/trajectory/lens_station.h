@@ -17,7 +17,7 @@ struct LensStation {
   Vector3<float> centre{};  //!< axes of the chart, see EdgeCurve
   Vector3<float> first{};
   Vector3<float> second{};
-  std::vector<float> edge;  //!< polar angle of the shadow's edge at equal steps of γ [rad]
+  std::vector<float> edge;  //!< angle of the shadow's edge from `centre` at equal steps of γ [rad]
   float range = 1.0F;
   bool mirrored = false;
   int columns = 0;

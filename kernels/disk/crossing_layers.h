@@ -70,8 +70,8 @@ ERGO_HD void straighten(const MaskOf<RealOf<T>>& straight, const StraightRates<T
   }
 }
 
-//! Returns the h at which a series is zero. It is exact in the mixed derivative, too, due to a
-//! second Newton step.
+//! Returns the h (scaled Mino time within a step) at which a series is zero. A last Newton step
+//! makes its mixed derivative exact, too.
 template <int Order, class T>
 ERGO_HD T exact_time_to_zero(const T (&c)[Order], const RealOf<T>& side, const RealOf<T>& to) {
   const RealOf<T> start(ScalarOf<T>(0));

@@ -36,7 +36,8 @@ ERGO_HD float lattice_value(std::uint32_t seed, int row, int column, int around)
   return static_cast<float>(scrambled(point + static_cast<std::uint32_t>(wrapped)) >> 8U) * (2.0F / 16777216.0F) - 1.0F;
 }
 
-//! Interpolates between lattice points, smoothly and without a seam.
+//! Returns lattice_value() interpolated smoothly between the points of the lattice. `turn`: azimuth
+//! [turns]; there is no seam where it wraps around.
 ERGO_HD float lattice_noise(std::uint32_t seed, float row, float turn, int around) {
   const float position = turn * static_cast<float>(around);
   const float row_floor = ::floorf(row);
@@ -71,7 +72,8 @@ ERGO_HD float cloud_noise(std::uint32_t seed, float log_r, float turn, float blu
 }  // namespace detail
 
 //! Returns the pattern, in about [-1, 1] and with mean 0, of matter that passes (r, φ) at angular
-//! velocity `rotation`, `delay` [M] before the camera sees it.
+//! velocity `rotation` [1/M], `delay` [M] before the camera sees it. `blur`: width of a pixel
+//! relative to r.
 ERGO_HD float disk_pattern(const PatternTime& time, float r, float phi, float rotation, float delay, float blur) {
   constexpr float per_turn = 0.15915494F;
   // At the horizon time and azimuth diverge, but matter seen there is dark.

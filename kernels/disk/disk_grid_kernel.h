@@ -63,7 +63,8 @@ struct TraceDiskNodes {
     }
   }
 
-  //! Discards the crossing of a node whose distance is unknown; the checks then detect the error.
+  //! Replaces the crossing of a node whose distance is unknown by one far outside the disk
+  //! (lowest_u), so that the checks detect the error.
   ERGO_HD void forget(int node, int order) const {
     float* const position = batch.nodes[WithPattern ? order : 0] + floats_a_node * static_cast<long>(node);
     put(position + (WithPattern ? 0 : order), M(T(0.0F)), 0, batch.camera.limits.lowest_u);

@@ -65,7 +65,7 @@ struct PhotonConstants {
   float carter;
 };
 
-//! Returns the light of the disk at a crossing, in linear sRGB.
+//! Returns the light of the disk at a crossing as picture values, with exposure, in linear sRGB.
 //!
 //! Intensity over the cube of the frequency is constant along a ray, so a blackbody of temperature
 //! T is seen as one of temperature g T; this includes both shift and beaming.

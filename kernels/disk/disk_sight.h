@@ -33,7 +33,7 @@ class DiskSight {
     }
   }
 
-  //! Returns the Mino time to a crossing of lane `i`; infinity if there is none.
+  //! Returns the Mino time from a crossing of lane `i` to the camera; infinity if there is none.
   ERGO_HD S time(int order, int i) const {
     return order < crossing_orders && is_crossing(crossings_[order], i) ? lane(crossings_[order].time, i)
                                                                         : std::numeric_limits<S>::infinity();

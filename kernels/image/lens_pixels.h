@@ -7,8 +7,8 @@ namespace ergodome {
 //!
 //! One array per channel, one element per pixel. A channel that the scene does not need is null.
 struct LensPixels {
-  //! Unit vector to the source on the celestial sphere; 0 where light is lost in scenes that have
-  //! no footprints.
+  //! Unit vector to the source on the celestial sphere. Where light is lost: 0 in scenes without
+  //! footprints, otherwise an arbitrary direction with a footprint as wide as the sky.
   float* sky[3];
   float* sky_along_x[3];   //!< derivative of `sky` per pixel to the right
   float* sky_along_y[3];   //!< derivative of `sky` per pixel downwards

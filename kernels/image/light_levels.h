@@ -36,7 +36,7 @@ struct ToneBatch {
   const float* from;
   LightLevel to;
   Tone tone;
-  bool as_it_is;  //!< the picture is already display light
+  bool as_it_is;  //!< the picture is already display light, which is only clamped to [0, 1]
   const std::int32_t* tiles;
   int count;
 };

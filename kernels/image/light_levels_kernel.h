@@ -39,7 +39,7 @@ inline Pack<float, N> toned(const Tone& tone, const Pack<float, N>& light) {
 }
 
 namespace detail {
-//! Columns and rows of a tile.
+//! Columns [left, right) and rows [top, bottom) of a tile, as far as they are inside the level.
 struct TileBounds {
   int left;
   int right;
@@ -57,7 +57,8 @@ ERGO_HD TileBounds tile_bounds(const LightLevel& level, std::int32_t tile) {
 }
 }  // namespace detail
 
-//! Applies the tone curve; index i is a tile.
+//! Applies the tone curve to all four floats of each texel; index i is a tile. Projectors do not
+//! use the fourth one, the coverage.
 template <class T>
 struct ToneTiles {
   ToneBatch batch;

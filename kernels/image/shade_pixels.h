@@ -25,8 +25,8 @@ struct ShadeBatch {
   SkyShift shift;
   bool brightening;                //!< multiplies the map's light by the magnification
   BlackbodyTable colours;          //!< for SkyShift::blackbody_fit
-  ProjectionOf<float> projection;  //!< for brightening, and for the width of a row
-  int first_row;                   //!< row of the image at which this batch begins, for brightening
+  ProjectionOf<float> projection;  //!< for magnifications, and for the width of a row
+  int first_row;                   //!< row of the image at which this batch begins, for magnifications
   float exposure;                  //!< factor of the sky's light
   //! Value at the low end of a heat map: log10 of error estimate and magnification, log2 of the
   //! frequency ratio, other channels as they are.

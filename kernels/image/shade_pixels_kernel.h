@@ -49,7 +49,7 @@ struct ShadeSky {
     }
     if constexpr (Shift == SkyShift::luminance) {
       const T g2 = g * g;
-      // The ratio is undefined where no light arrives.
+      // The frequency ratio is undefined where no light arrives.
       scale = select(coverage > T(0.0F), scale * (g2 * g2), T(0.0F));
     }
     if constexpr (Brightened) {
@@ -110,7 +110,7 @@ struct ShadeSky {
     const Vector3<float> rgb = {quad_part(light, 0), quad_part(light, 1), quad_part(light, 2)};
     const float luminance = luminance_of(rgb);
     Vector3<float> seen = {0.0F, 0.0F, 0.0F};
-    // The ratio is undefined where no light arrives.
+    // Where no light arrives, g is undefined and the temperature would be 0 / 0.
     if (luminance > 1e-37F) {
       seen = shifted_light(batch.colours, rgb, quad_part(light, 3) / luminance, g);
     }

@@ -91,7 +91,8 @@ struct WarpPixel {
 
   ERGO_HD static float square_of(std::uint16_t root) { return static_cast<float>(root) * static_cast<float>(root); }
 
-  //! Applies blending and lift to light.
+  //! Returns the byte to send for a channel: applies blending, lift and the projector's curve to
+  //! its light.
   ERGO_HD std::uint32_t value_of(int group, int position, int channel, float light) const {
     constexpr int kinds = Coloured ? 6 : 1;
     const std::uint16_t* const factor = batch.factor + static_cast<long>(warp_group_px * kinds) * group + position;

@@ -41,11 +41,12 @@ struct WarpBatch {
   std::int32_t width_px;
   std::int32_t height_px;
   const WarpGroup* groups;  //!< row by row; the last group of a row may extend beyond the row
-  const std::uint16_t* x;   //!< each pixel's x (see WarpGroup); warp_group_px per group, as below
+  //! Each pixel's x (see WarpGroup). `x`, `y` and `level` have warp_group_px elements per group.
+  const std::uint16_t* x;
   const std::uint16_t* y;
   const std::uint8_t* level;  //!< mip level of each pixel, in units of 1 / warp_level_steps
-  //! Factor of the light, one per pixel. If `coloured`, each group has its red, green and blue
-  //! factors, then its red, green and blue lifts.
+  //! Stored number of the light's factor (see factor_scale), one per pixel. If `coloured`, each
+  //! group has its red, green and blue factors, then its red, green and blue lifts.
   const std::uint16_t* factor;
   bool coloured;
   float factor_scale[3];  //!< per channel: factor of the light = factor_scale * (stored number)²

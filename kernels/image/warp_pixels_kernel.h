@@ -154,7 +154,8 @@ struct WarpPixels {
     return {left.part + positions.across[i] * (right.part - left.part)};
   }
 
-  //! Computes the light of the pixels that sample a level and the next.
+  //! Computes the light of the group's pixels that sample mip level `finer`, blended with the next
+  //! coarser level as their `level` requires. Leaves the other pixels unchanged.
   void seen_at(int index, int finer, Quad* light) const {
     const LightLevel& level = batch.light.level[finer];
     const bool alone = (batch.groups[index].levels & (batch.groups[index].levels - 1)) == 0;
@@ -202,7 +203,7 @@ struct WarpPixels {
     return number * number;
   }
 
-  //! Applies blending and lift to light, and writes the values that are sent.
+  //! Applies blending, lift and the projector's curve to light, and writes the bytes to send.
   void send(int index, const Channels& light, std::uint8_t* rgb, int count) const {
     using Bytes __attribute__((vector_size(lanes))) = std::uint8_t;
     const std::uint16_t* const factor = batch.factor + (Coloured ? 6 : 1) * warp_group_px * static_cast<long>(index);

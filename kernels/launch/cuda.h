@@ -31,12 +31,13 @@ void sum_counts_cuda(const std::int32_t* counts, int count, std::int32_t* sums);
 long count_negative_cuda(const float* values, long count);
 
 //! Begin and end the scopes DeviceWorkInOrder and UrgentDeviceWork (render/backend/buffer.h).
+//! `before` is what the function that began the scope returned.
 bool begin_in_order_cuda();
 void end_in_order_cuda(bool before, bool may_throw);
 void* begin_urgent_cuda();
 void end_urgent_cuda(void* before);
 
-//! Allocates and releases GPU memory, and copies between GPU and host memory.
+//! Allocate, release and fill GPU memory with 0, and copy between GPU and host memory.
 void* allocate_cuda(std::size_t bytes);
 void release_cuda(void* memory) noexcept;
 void clear_cuda(void* memory, std::size_t bytes);

@@ -51,7 +51,7 @@ inline constexpr int grid_grain = 4;
 //! The kernel itself is in another header (NAME_kernel.h), for the sources that register kernels
 //! (kernels/launch/register.h). It defines dispatch<T>(batch, action), which calls action(functor)
 //! for the variant that the batch needs. functor(index) computes the elements of one T, which is
-//! WidePack<Real> on the CPU and Real on a GPU.
+//! WidePack<Real> on the CPU (Real if not `wide`) and Real on a GPU.
 template <class Batch>
 struct Kernel;
 

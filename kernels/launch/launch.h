@@ -68,7 +68,7 @@ void run_on_this_thread(const Batch& batch) {
 }
 
 //! Counts a launch of a batch, calls run(), and checks that the outputs are finite if
-//! numbers_are_checked().
+//! numbers_are_checked(). Does none of this if the kernel's name is nullptr.
 template <class Batch, class Run>
 void count_and_check(Backend backend, const Batch& batch, const Run& run) {
   const char* const name = Kernel<Batch>::name(batch);

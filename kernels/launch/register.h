@@ -28,7 +28,7 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! The type that a CPU kernel computes at a time.
+//! The number type of a CPU kernel: a SIMD register if Kernel::wide, otherwise a single number.
 template <class Batch>
 using CpuLanes =
     std::conditional_t<Kernel<Batch>::wide, WidePack<typename Kernel<Batch>::Real>, typename Kernel<Batch>::Real>;

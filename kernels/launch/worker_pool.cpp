@@ -14,7 +14,8 @@ namespace {
 //! microseconds, and the next work mostly comes within this time.
 constexpr std::chrono::microseconds patience{60};
 
-//! True in a forked process, which has none of its parent's helpers.
+//! True in a forked process, which has none of its parent's helpers: run() then only uses the
+//! calling thread.
 std::atomic<bool> forked{false};
 
 //! Polls a condition for the time `patience`, and yields to other threads in between. Returns

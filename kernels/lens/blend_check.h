@@ -15,8 +15,9 @@ struct BlendCheckBatch {
   int count;
   const double* gamma_turns;
   const double* s;
-  //! Displacement on the screen [px]; 0 in leaves whose pixels are traced, otherwise 1e30 where the
-  //! traced ray does not reach the sky.
+  //! Error of the lens: displacement on the screen against the traced ray [px]; 0 in flagged
+  //! leaves, whose pixels are traced anyway, otherwise 1e30 where the traced ray does not reach the
+  //! sky.
   double* error_px;
   double* area_px;  //!< screen area of a chart area of one turn of γ times one unit of s [px²]
 };

@@ -12,8 +12,9 @@
 // Batches that trace the nodes of a lens grid and check its cells.
 namespace ergodome {
 
-//! What the kernels that trace a grid's rays share: the camera and the chart. The camera is in the
-//! rain frame at φ = 0, or, for an omnidirectional eye (OmniCameraOf), in the view's axes.
+//! What the kernels that trace a grid's rays share: camera, chart and integration settings. The
+//! camera is in the rain frame at φ = 0, or, for an omnidirectional eye (OmniCameraOf), in the
+//! view's axes.
 template <class S, class Camera = CameraStationOf<S>>
 struct GridCamera {
   Camera rays;
@@ -58,8 +59,9 @@ struct CheckBatch {
   int count;                 //!< number of checks: checks_a_cell per cell
   const GridCell* cells;
   const float* nodes;
-  //! Displacement on the screen [px], less the noise of the tracing; 1e30 if the ray of a corner or
-  //! of the check does not come from the sky or did not converge.
+  //! Error of the cell's patch: displacement on the screen against the traced ray [px], less the
+  //! noise of the tracing; 1e30 if the ray of a corner or of the check does not come from the sky
+  //! or did not converge.
   float* error_px;
   float* area_px;  //!< area of the cell on the screen, computed with the scale at the check [px²]
   // The error as a displacement of the camera direction in the chart, along γ and along s, in

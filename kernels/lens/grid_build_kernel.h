@@ -8,7 +8,8 @@
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
-//! Order of the Taylor series: double is used for fine budgets, float for live grids.
+//! Order of the Taylor series of a grid's rays: 10 in float, for live grids; 16 in double, for fine
+//! error budgets.
 template <class T>
 inline constexpr int grid_order = sizeof(ScalarOf<T>) == 4 ? 10 : 16;
 
@@ -163,7 +164,7 @@ struct CheckCells {
     Vector3<T> sky;  //!< unit vector
     Vector3<T> along_gamma;
     Vector3<T> along_s;
-    T good;  //!< sum of the corners' weights; below 1 if one of them has no sky
+    T good;  //!< summed weights of the corners that have a sky; below 1 if one has none
     T width_turns;
     T height;
   };

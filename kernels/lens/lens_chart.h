@@ -29,7 +29,8 @@ struct ChartPosition {
 
 inline namespace ERGO_TARGET {
 
-//! Computes α and dα/dγ at a position angle, like edge_at() but for any real type, lane by lane.
+//! Computes the shadow's edge at a position angle [rad]: its angle α from the shadow's center, and
+//! the slope dα/dγ. Like edge_at(), but for any real type, lane by lane.
 template <class T>
 ERGO_HD void edge_lanes(const EdgeCurve& edge, const T& gamma, T& alpha, T& slope) {
   using S = ScalarOf<T>;
@@ -94,7 +95,8 @@ ERGO_HD ChartPosition<Dual<T>> chart_position(const LensChart& chart, const Vect
   return {select(negative, turns + one, turns), s, distance};
 }
 
-//! The chart's stretch at a position: α with its derivatives along γ [turns] and s.
+//! The chart's stretch at a position: the angle α from the shadow's center [rad], with its
+//! derivatives along γ [turns] and s.
 template <class T>
 struct ChartStretch {
   MixedDual<T> alpha;
@@ -116,8 +118,8 @@ ERGO_HD ChartStretch<T> chart_stretch(const LensChart& chart, const T& gamma_tur
   return {{edge_alpha + rest * x, slope * (S(1) - x), rest * x * range, -(slope * x * range)}, x, edge_alpha};
 }
 
-//! Returns the rain-frame direction at (γ, s) [turns, -], of unit length, with its derivatives
-//! along both.
+//! Returns the unit vector in the rain frame at position angle γ [turns] and at the angle `alpha`
+//! from the shadow's center (see ChartStretch), with its derivatives along γ [turns] and s.
 template <class T>
 ERGO_HD Vector3<MixedDual<T>> chart_direction_at(const LensChart& chart, const T& gamma_turns,
                                                  const MixedDual<T>& alpha) {

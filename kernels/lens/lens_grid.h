@@ -88,7 +88,7 @@ ERGO_HD LeafPosition position_in(const Leaf& leaf, float gamma_turns, float s) {
   return {part(gamma_turns, leaf.gamma_turns, leaf.width_turns), part(s, leaf.s, leaf.height)};
 }
 
-//! Returns whether a position is strictly inside a leaf, where no other leaf qualifies.
+//! Returns whether a position is strictly inside a leaf, so that it cannot belong to another leaf.
 ERGO_HD bool holds(const Leaf& leaf, float gamma_turns, float s) {
   const float across = gamma_turns - leaf.gamma_turns;
   const float up = s - leaf.s;
@@ -113,7 +113,8 @@ ERGO_HD void hermite_basis(float t, float (&basis)[4], float (&slope)[4]) {
 //! The sum of a bicubic patch: the sky direction before normalization, and its derivatives along γ
 //! [turns] and s.
 struct PatchValue {
-  //! X, y, z; then the summed weights of the corners whose rays come from the sky, 1 if all do.
+  //! Components x, y, z, and as the fourth the summed weights of the corners whose rays come from
+  //! the sky: 1 if all do.
   Quad sky;
   Quad along_gamma;
   Quad along_s;
@@ -164,8 +165,8 @@ struct GridSky {
 
 namespace detail {
 
-//! Patch sums of all lanes, component by component: x, y, z of the sky, of its rates along γ, and
-//! along s; then the flags.
+//! Patch sums of all lanes, component by component: x, y, z of the sky direction, of its derivative
+//! along γ, and of that along s; then 1 if the leaf is flagged, otherwise 0.
 template <class T>
 struct PatchLanes {
   ScalarOf<T> of[10][RealTraits<T>::lane_count];
@@ -180,7 +181,8 @@ struct PatchLanes {
     of[9][lane] = ScalarOf<T>(flagged ? 1 : 0);
   }
 
-  //! Sets a lane to an upward direction, so that results computed from it are finite.
+  //! Sets a lane's sky direction to +z, without derivatives, so that results computed from it are
+  //! finite.
   ERGO_HD void clear(int lane) {
     ERGO_UNROLL
     for (int i = 0; i < 10; ++i) {

@@ -51,8 +51,9 @@ ERGO_HD GridSky<T> read_blended(const LensBlend& lens, const ChartPosition<Dual<
 
 }  // namespace ERGO_TARGET
 
-//! A block of rows of one image, read from lens grids. These serve any motion of the observer:
-//! `aberration` converts to their rain frame. Pixels of leaves that are not accurate are traced.
+//! A block of rows of one image, read from lens grids. The grids serve any motion of the observer:
+//! `aberration` converts the observer's directions to the rain frame of the grids. Pixels of
+//! flagged leaves are traced.
 struct LookUpBatch {
   PixelBatch pixels;  //!< its edge is unused: the chart has the edge
   LensBlend lens;

@@ -9,8 +9,8 @@
 namespace ergodome::inline ERGO_TARGET {
 
 //! Reads the pixels of a batch from a lens grid. Index i covers the pixels i * lanes, i * lanes +
-//! 1, ... of the block. `Footprints` enables their derivatives at compile time; without, they cost
-//! nothing.
+//! 1, ... of the block. With `Footprints`, also computes the derivatives of the sky directions per
+//! pixel; without, they cost no time.
 template <class T, bool Footprints, class Batch = LookUpBatch>
 struct LookUpPixels {
   using D = Dual<T>;
@@ -34,8 +34,8 @@ struct LookUpPixels {
     store(at, sky, steps, estimate);
   }
 
-  //! Reads pixels without tracing, for a device, which traces rays separately. Returns whether
-  //! there are rays to trace.
+  //! Reads pixels without tracing, for a GPU, which traces the pixels of flagged leaves separately.
+  //! Returns whether there are such pixels.
   ERGO_HD bool look_up_alone(int index) const {
     const GridValues at(batch, ViewedPixels<T>(batch.pixels, index));
     store(at, part_of<Ray>(at.read.sky), T(S(0)), T(S(0)));
@@ -72,7 +72,7 @@ struct LookUpPixels {
     }
   };
 
-  //! Returns the lanes within three pixels of the edge, or of a shadow smaller than that.
+  //! Returns the lanes within three pixels of the shadow's edge, on either side.
   static ERGO_HD MaskOf<T> near_edge(const Vector3<D>& n, const ChartPosition<D>& position) {
     const T square = maximum(n.x.along_x * n.x.along_x + n.y.along_x * n.y.along_x + n.z.along_x * n.z.along_x,
                              n.x.along_y * n.x.along_y + n.y.along_y * n.y.along_y + n.z.along_y * n.z.along_y);

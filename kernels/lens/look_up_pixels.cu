@@ -16,8 +16,8 @@ template <class Functor>
 void look_up(const PixelBatch& pixels, const Functor& functor) {
   launch_cuda_in_steps("look_up_pixels", pixels.projection.width_px, pixels.row_count, LookUpAlone<Functor>{functor},
                        [&](const int* listed, const int* count) {
-                         // With this many registers, two blocks fit on each multiprocessor of a
-                         // large device.
+                         // Two blocks for each of the 132 multiprocessors of a large GPU: as many
+                         // as fit with the registers that the kernel needs.
                          constexpr int blocks = 264;
                          run_functor_on_listed<<<blocks, pixel_block, 0, current_stream()>>>(functor, listed, count);
                        });

@@ -80,7 +80,8 @@ struct DrawNearField {
     }
   };
 
-  //! Returns true if nothing is to be drawn; otherwise reduces `wanted` to the lanes that are.
+  //! If only pixels with objects are drawn (`objects_alone`), reduces `wanted` to their lanes, and
+  //! returns whether none are left. Otherwise returns false.
   ERGO_HD bool leaves(const PixelGroup& at, Mask& wanted) const {
     if constexpr (Objects) {
       if (batch.objects_alone) {
@@ -95,7 +96,7 @@ struct DrawNearField {
     lay_over(seen, at.inside, at.first, pixel_count(batch.pixels), batch.rgba);
   }
 
-  //! Averages many samples within the pixels of the mask.
+  //! Replaces what the pixels of the mask see by the mean of near_samples² samples in each.
   ERGO_HD void average(const PixelGroup& group, const Mask& fine, SeenLanes<T>& seen) const {
     const T zero(S(0));
     SeenLanes<T> sum = {zero, zero, zero, zero};
@@ -173,7 +174,8 @@ struct DrawNearField {
     }
   }
 
-  //! Adds the shells. Returns the lanes where images may be finer than the sample.
+  //! Adds the shells. Calls before(lane, time) ahead of each crossing, to add what is nearer.
+  //! Returns the lanes where images may be finer than the sample.
   template <class Before>
   ERGO_HD Mask draw_shells(const NearRay<D>& ray, const NearLimits<S>& limits, S pixel, const Mask& wanted,
                            const Before& before, SeenLanes<T>& seen) const {

@@ -25,9 +25,9 @@ class LayerSight {
   //! Returns the lanes whose object has not been added yet.
   [[nodiscard]] ERGO_HD Mask waiting() const { return waiting_ > T(S(0)); }
 
-  //! Adds the object of lane `i` if its Mino time is less than `time`, which means that it is
-  //! nearer. (For `flat` eyes, the times are minus the nearness.) Before that, calls nearer(lane,
-  //! time) to add what is nearer than the object.
+  //! Adds the object of lane `i`, unless it is already added, if its Mino time is less than `time`,
+  //! which means that it is nearer. (For `flat` eyes, the times are minus the nearness.) Before
+  //! that, calls nearer(lane, time) to add what is nearer than the object.
   template <class Nearer>
   ERGO_HD void until(int i, S time, const Nearer& nearer, SeenLanes<T>& seen) {
     if (!(lane(waiting_, i) > S(0))) {
@@ -49,7 +49,7 @@ class LayerSight {
   T waiting_;
 };
 
-//! A substitute without any function, for scenes without objects.
+//! Does nothing; replaces the class above in scenes without objects.
 template <class T>
 class LayerSight<T, false> {
  public:

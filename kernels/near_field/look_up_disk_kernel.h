@@ -39,7 +39,7 @@ struct LookUpDisk {
   }
 
  private:
-  //! Averages many samples within the pixels of the mask.
+  //! Replaces what the pixels of the mask see by the mean of near_samples² samples in each.
   ERGO_HD void average(const T& x_px, const T& y_px, const Mask& fine, SeenLanes<T>& seen) const {
     const T zero(0.0F);
     SeenLanes<T> sum = {zero, zero, zero, zero};

@@ -23,11 +23,13 @@ struct NearRay {
   //! omnidirectional stereo, at the head).
   Vector3<T> m;
   Vector3<T> m_rate;  //!< dm/dλ [M]
-  //! As in RayStart: azimuth and time of light that only comes in are in ingoing Kerr coordinates
-  //! (near_series.h).
+  //! The camera is inside the horizon or near it, as in RayStart: azimuth and time of light that
+  //! moves only inwards are in ingoing Kerr coordinates (near_azimuth.h).
   bool ingoing = false;
-  ScalarOf<T> turn = ScalarOf<T>(0);  //!< the camera's azimuth in ingoing Kerr coordinates [rad]
-  ScalarOf<T> lag = ScalarOf<T>(0);   //!< outer_lag() of the camera if `ingoing`, otherwise 0 [M]
+  //! The camera's azimuth in ingoing Kerr coordinates [rad]; 0 inside the horizon, and for
+  //! omnidirectional eyes, whose `m` already contains it.
+  ScalarOf<T> turn = ScalarOf<T>(0);
+  ScalarOf<T> lag = ScalarOf<T>(0);  //!< outer_lag() of the camera if `ingoing`, otherwise 0 [M]
 };
 
 inline namespace ERGO_TARGET {
@@ -35,8 +37,8 @@ inline namespace ERGO_TARGET {
 //! Returns the ray that the observer sees in direction `n` (unit vector in the observer's frame:
 //! e_r, e_θ, e_φ).
 //!
-//! A camera within rounding of the equator is treated as on it: its rays do not cross the plane
-//! where they start.
+//! A camera within rounding of the equator is treated as on it: its rays do not cross the
+//! equatorial plane where they start.
 template <class T>
 ERGO_HD NearRay<T> start_near_ray(const CameraStationOf<ScalarOf<T>>& camera, const Vector3<T>& n) {
   using S = ScalarOf<T>;

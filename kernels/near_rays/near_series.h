@@ -3,8 +3,8 @@
 #include "kernels/near_rays/near_azimuth.h"
 
 // Taylor series in Mino time of light from the disk, shells and objects, as in
-// kernels/spacetime/geodesic/taylor.h. Here they also carry the coordinate time, and only what is
-// requested.
+// kernels/spacetime/geodesic/taylor.h. Unlike there, NearParts selects what they carry, which may
+// include coordinate time and affine distance.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
@@ -30,7 +30,7 @@ ERGO_HD void expand_distance(ScalarOf<T> spin, const RealOf<T>& inverse_scale, c
   }
 }
 
-//! Expands the series from their coefficients 0 and, for positions, 1.
+//! Expands the series from their coefficients 0 and, for 1/r and the polar position (x, y, z), 1.
 template <int Order, class T, NearParts Parts>
 ERGO_HD void expand_near(ScalarOf<T> spin, const NearRay<T>& ray, const NearCoefficients<T>& c,
                          NearSeries<Order, T, Parts>& s) {
@@ -126,8 +126,8 @@ ERGO_HD T distance_so_far(const NearSeries<Order, T, Parts>& s) {
   }
 }
 
-//! Moves the beginning of the series to h: replaces coefficient 0, and for positions also 1, by
-//! those about h. H is T or its type without derivatives.
+//! Moves the beginning of the series to h: replaces coefficient 0, and for 1/r and the polar
+//! position also 1, by those about h. H is T or its type without derivatives.
 template <int Order, class T, NearParts Parts, class H>
 ERGO_HD void move_series(NearSeries<Order, T, Parts>& s, const H& h) {
   const auto move = [&h](auto& c) {

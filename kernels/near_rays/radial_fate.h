@@ -43,7 +43,7 @@ ERGO_HD MaskOf<Real> keeps_inwards(const RadialFate<Real>& fate, const Real& u, 
   return (u_rate > Real(ScalarOf<Real>(0))) & !(fate.turns & (u < fate.barrier_u));
 }
 
-//! Returns the rays that go outwards for good.
+//! Returns the rays that go outwards for good: nothing between here and infinity turns them.
 template <class Real>
 ERGO_HD MaskOf<Real> keeps_outwards(const RadialFate<Real>& fate, const Real& u, const Real& u_rate) {
   return (!(u_rate > Real(ScalarOf<Real>(0)))) & !(fate.turns & (u > fate.barrier_u));

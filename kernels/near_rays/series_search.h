@@ -42,8 +42,9 @@ ERGO_HD T time_to_zero(const T (&c)[Order], const RealOf<T>& side, const RealOf<
   return T(h) - series_value(c, T(h)) / series_rate(c, T(h));
 }
 
-//! Returns the size of the terms of power k. Lengths are measured relative to the radius, so that
-//! they compare with angles.
+//! Returns the size of the terms of power k as an angle: delay and distance are divided by the
+//! radius, and 1/r counts through the shift of Mino time that it causes (`scale`: time of the
+//! series / Mino time).
 template <int Order, class T, NearParts Parts>
 ERGO_HD RealOf<T> near_term(const NearSeries<Order, T, Parts>& s, int k, const RealOf<T>& scale) {
   const auto size = [](const T& term) { return absolute(value_of(term)); };
@@ -61,7 +62,7 @@ ERGO_HD RealOf<T> near_term(const NearSeries<Order, T, Parts>& s, int k, const R
 }
 
 //! Returns the length of a step. Neglected terms stay below the tolerance, and the step contains at
-//! most one crossing of the plane, since crossings are π or more of scaled time apart.
+//! most one crossing of the equatorial plane, since crossings are π or more of scaled time apart.
 template <int Order, class T, NearParts Parts>
 ERGO_HD RealOf<T> near_step(const NearSeries<Order, T, Parts>& s, const RealOf<T>& scale, ScalarOf<T> tolerance) {
   using S = ScalarOf<T>;

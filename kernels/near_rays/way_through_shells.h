@@ -28,7 +28,7 @@ ERGO_HD MaskOf<T> has_passed(const WayEnd<T>& end, const T& u, const T& u_rate) 
 
 //! Finds the last shell from the radial potential, without tracing. Outside the horizon light turns
 //! at most once, and it reaches a radius on its side of the barrier if the potential is positive
-//! there.
+//! there. Rays whose light has never been outside the horizon meet no shell.
 template <class T>
 ERGO_HD WayEnd<T> way_through_shells(ScalarOf<T> spin, const RayStart<T>& ray, const WatchedShell* shells, int count) {
   using S = ScalarOf<T>;

@@ -43,7 +43,8 @@ ERGO_HD bool aim_at(const CameraStation& camera, const RayTarget& target, Vector
 
 //! Finds the ray from the direction without spin. Tries the correction that was found for a nearby
 //! target; if that fails, raises the spin to the frame's in steps. `correction` is what the spin
-//! adds to the direction: on input for a nearby target, on output for this one.
+//! adds to the direction: on input for a nearby target, on output for this one. If no ray is found,
+//! returns false with a correction of 0.
 ERGO_HD bool aim_with_spin(const LocalFrame& frame, const RayEnds& ends, Vector3<double>& direction,
                            RayCorrection& correction, Miss& miss) {
   constexpr int raises = 6;

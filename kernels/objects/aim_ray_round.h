@@ -15,8 +15,8 @@ namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
 
-//! A direction of a camera relative to the shadow: α = α_e + (π - α_e) / (1 + e^-x), where α_e(γ)
-//! is the edge [rad].
+//! A direction of a camera relative to the shadow: position angle γ, and x in place of the angle α
+//! from the shadow's center: α = α_e + (π - α_e) / (1 + e^-x), where α_e(γ) is α at the edge [rad].
 struct EdgePosition {
   double gamma;
   double x;
@@ -33,7 +33,8 @@ ERGO_HD EdgePosition position_without_spin(double u, const Vector3<double>& dire
   return {::atan2(direction.y, direction.z), ::log(::fmax(alpha - edge, minimum) / ::fmax(pi - alpha, minimum))};
 }
 
-//! Returns a direction of a chart for dual angles.
+//! Returns the direction at the angle `alpha` from a chart's center and at the position angle
+//! `gamma`, with the derivatives that these angles carry.
 ERGO_HD Vector3<Dual<double>> dual_direction(const ShadowChart& chart, const Dual<double>& alpha,
                                              const Dual<double>& gamma) {
   Dual<double> sine;
@@ -100,10 +101,10 @@ ERGO_HD Vector3<double> turned_about_axis(const Vector3<double>& v, double angle
   return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
 }
 
-//! Returns the angle by which a hole of spin 1 drags light round on its way, and with it the points
-//! where light focuses [rad]. It grows from directly behind the hole, where both ways meet, to
-//! where the second way has gone all round. The values are those that find most rays in fewest
-//! steps.
+//! Estimates the angle by which a hole of spin 1 drags light round on its way, and with it the
+//! points where light focuses [rad]. It grows with the angle between the target and the direction
+//! behind the hole: from `behind`, where both ways round meet, to `all_round`, where the second way
+//! has gone all round. The two values are those that find most rays in fewest steps.
 ERGO_HD double carried_round(const RayEnds& ends) {
   constexpr double behind = 0.2;
   constexpr double all_round = 1.3;
@@ -113,9 +114,10 @@ ERGO_HD double carried_round(const RayEnds& ends) {
   return behind + (all_round - behind) * from_behind / pi;
 }
 
-//! Finds the ray by raising the spin to the frame's in steps; the first step tries all of it. The
-//! target is turned back, against the spin, by the angle that light is dragged, so that it stays on
-//! its side of the focus.
+//! Finds the ray by raising the spin from 0 to the frame's in steps; the first step tries all of
+//! it. While a part of the spin is missing, the target is turned about the axis, towards +φ for a
+//! positive spin, by the angle that this part drags light, so that it stays on its side of the
+//! focus.
 ERGO_HD bool raise_spin(const LocalFrame& frame, const RayEnds& ends, int order, EdgePosition& at,
                         Vector3<double>& direction, Miss& miss) {
   constexpr double smallest_part = 1.0 / 16.0;

@@ -26,7 +26,7 @@ struct ObjectScene {
   const LampCorrections* guesses;
   MeshLimits limits;
   bool shifted;   //!< light is multiplied by g⁴
-  bool retarded;  //!< at least one mesh is retarded
+  bool retarded;  //!< at least one mesh is seen where it was when its light left (retarded)
   //! Camera of an omnidirectional eye, used if it has coefficients. It then replaces `camera`,
   //! which is the head's and only supplies spin and azimuth. Directions are then in the view's
   //! axes.
@@ -116,7 +116,7 @@ inline constexpr double max_way_of_slices = 4.0;
 struct FlatReach {
   float min_w;  //!< minimum nearness [1/M]
   float max_w;
-  float width;  //!< width of a pixel there, over r
+  float width;  //!< maximum width of a pixel at these objects, divided by their r
 };
 
 //! Tiles of the image of an eye of the stereo model `flat`.

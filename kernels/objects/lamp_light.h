@@ -126,9 +126,9 @@ ERGO_HD bool lamp_ray(const LampSource& lamp, const LampLight& light, const LitS
 }  // namespace detail
 
 //! Returns the light that arrives at a point of a surface on both ways round the hole, with
-//! shadows. `limits.delay`: delay of the point. The rays are those to `start`: a ray that goes
-//! round the hole and is turned by a tiny angle ends far from the lamp, and would meet objects that
-//! it should pass.
+//! shadows. `limits.delay`: coordinate time from the point to the camera [M]. The rays are those to
+//! `start`: a ray that goes round the hole and is turned by a tiny angle ends far from the lamp,
+//! and would meet objects that it should pass.
 ERGO_HD_CALLED LampLight lamp_light(Spacetime spacetime, const LampSource& lamp, const LitSurfacePoint& at,
                                     const MeshScene& scene, const MeshLimits& limits, LampCorrections& corrections) {
   // Light below this fraction of what has been found already is left out, as no display shows it.

@@ -138,7 +138,8 @@ struct StepSearch {
            mesh.size * mesh.tree.radius + stray;
   }
 
-  //! Returns what to do with a piece: pieces near a mesh have to be short.
+  //! Searches a piece if it comes near a mesh, and stops if it meets one. Before that, the piece is
+  //! cut until it is close to its chord and to its parabola.
   ERGO_HD PieceAnswer operator()(const PathPiece& p) {
     // Maximum distance of a piece from its chord (stray), as a fraction of the radius of a mesh
     // that it comes near.

@@ -191,8 +191,8 @@ struct ObjectQuads {
 
   ERGO_HD static void add_light(const MeshHit& hit, const SurfacePoint& at, const Vector3<float>& light, float weight,
                                 PixelSum& sum) {
-    // If normals differ by more than this, or the mesh differs, an outline may pass through the
-    // pixel.
+    // If the cosine of the angle between two normals is less than this, or the mesh differs, an
+    // outline may pass through the pixel.
     constexpr float one_face = 0.9F;
     const Vector3<float> normal = {static_cast<float>(at.normal.x), static_cast<float>(at.normal.y),
                                    static_cast<float>(at.normal.z)};

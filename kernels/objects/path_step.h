@@ -34,7 +34,8 @@ struct PathStep {
   double start;
   double delay_at_camera;  //!< coordinate time that is added to all delays [M]
 
-  //! Rotates a vector of m's axes at h to pseudo-Cartesian ones.
+  //! Converts a vector (x, y, z) in the axes of m to pseudo-Cartesian axes: rotates it by `drag`
+  //! and by the camera's azimuth.
   ERGO_HD Vector3<T> turned(const T& drag, const T& x, const T& y, const T& z) const {
     T sine;
     T cosine;

@@ -18,7 +18,7 @@ struct PixelPosition {
   float weight;
 };
 
-//! A pixel that is cut across the shadow's edge.
+//! A pixel that is cut into slices parallel to the shadow's edge.
 class PixelSlices {
  public:
   PixelSlices() = default;

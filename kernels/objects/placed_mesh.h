@@ -46,7 +46,7 @@ ERGO_HD Vector3<double> mesh_position(const PlacedMesh& mesh, double delay) {
   return ::cos(angle) * mesh.orbit.toward - ::sin(angle) * mesh.orbit.ahead;
 }
 
-//! Returns a mesh's velocity at the same time, dx/dt.
+//! Returns a mesh's velocity dx/dt at the time for which mesh_position() returns its position.
 ERGO_HD Vector3<double> mesh_velocity(const PlacedMesh& mesh, double delay) {
   const double angle = mesh.retarded ? mesh.orbit.rate * delay : 0.0;
   return mesh.orbit.rate * (::sin(angle) * mesh.orbit.toward + ::cos(angle) * mesh.orbit.ahead);

@@ -16,14 +16,14 @@ inline constexpr int lamp_steps = 2000;
 
 //! Where a ray passes a radius on its way out.
 struct Arrival {
-  Vector3<Dual<double>> outward;   //!< the position over its radius, pseudo-Cartesian
+  Vector3<Dual<double>> outward;   //!< the position divided by its radius, pseudo-Cartesian
   double u_rate;                   //!< du/dλ along its path
   Vector3<double> polar_momentum;  //!< dm/dλ [M]
   double delay;                    //!< coordinate time from the start [M]
 };
 
-//! Follows a ray until it passes outwards through a radius that is at least that of its start.
-//! Returns false if it does not.
+//! Follows a ray until it passes outwards through the radius r, which must be at least that of the
+//! ray's start. Returns false if it never does.
 ERGO_HD bool follow_to_radius(const CameraStation& camera, const Vector3<Dual<double>>& n, double r, Arrival& arrival) {
   const double u = 1.0 / r;
   bool arrived = false;
@@ -67,7 +67,7 @@ ERGO_HD void axes_across(const Vector3<double>& n, Vector3<double>& first, Vecto
 //! A point that rays are aimed at.
 struct RayTarget {
   double r;                 //!< [M]
-  Vector3<double> outward;  //!< the point over r
+  Vector3<double> outward;  //!< unit vector from the hole to the point
   Vector3<double> axes[2];  //!< perpendicular to `outward`
   //! Miss [rad about the hole] below which the next step is the last: it leaves a negligible error.
   double near_enough;

@@ -102,7 +102,8 @@ ERGO_HD SurfacePoint surface_point(const Surface& surface, const PlacedMesh& mes
           surface.part_of[triangle]};
 }
 
-//! Position of a texture coordinate on the image, 0 to 1, and the factor on steps along it.
+//! Position of a texture coordinate on the image, 0 to 1, and the sign of derivatives along it: -1
+//! where the image is repeated as its mirror image, otherwise 1.
 struct WrappedTexture {
   float at, step;
 };

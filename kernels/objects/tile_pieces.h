@@ -151,7 +151,8 @@ ERGO_HD double footprint_reach(const PathPiece& piece, const PixelOnPath& pixel,
 //! show.
 inline constexpr double fine_part = 0.15;
 
-//! Returns the mark for an object of this radius.
+//! Returns the mark for an object with a bounding ball of this radius [M] where a pixel has this
+//! footprint.
 ERGO_HD TileMark mark_of(double radius, const PixelOnPath& pixel) {
   constexpr double thin_px = 4.0;
   const bool is_stretched = !(pixel.widest < stretched_part * pixel.narrowest);

@@ -47,8 +47,8 @@ struct DrawOverlay {
   }
 
  private:
-  //! Returns the fraction of a pixel in which a coordinate is between 0 and 1; it changes by
-  //! `per_px` per pixel.
+  //! Returns the fraction of a pixel in which a coordinate is between 0 and 1. `coordinate`: in the
+  //! pixel's middle; `per_px`: its change per pixel.
   static ERGO_HD float part_between(float coordinate, float per_px) {
     const float px = 1.0F / maximum(per_px, 1e-9F);
     const float from = minimum(maximum(coordinate * px + 0.5F, 0.0F), 1.0F);

@@ -64,8 +64,8 @@ ERGO_HD CubeCell cube_cell(CubeLayout layout, CubeFace face) {
   return {3, 1};
 }
 
-//! Returns the integer part of a number, within [0, cells - 1]; at a border between cells, either
-//! one.
+//! Returns the integer part of a number, clamped to [0, cells - 1]; at a border between cells,
+//! either cell.
 template <class R>
 ERGO_HD R cell_of(const R& position, int cells) {
   using S = ScalarOf<R>;

@@ -30,8 +30,8 @@ ERGO_HD Vector3<T> direction_from_cylinder(const Cylinder<ScalarOf<T>>& cylinder
   return {level * sine, level * height, -(level * cosine)};
 }
 
-//! Computes the image position of a view direction: the inverse. Returns false for straight up and
-//! down, which the cylinder never reaches.
+//! Computes the image position of a view direction: the inverse of direction_from_cylinder().
+//! Returns false for straight up and down, which the cylinder never reaches.
 ERGO_HD bool cylinder_from_direction(const Cylinder<double>& cylinder, const Vector3<double>& view, double& x,
                                      double& y) {
   const double level = ::sqrt(view.x * view.x + view.z * view.z);

@@ -25,8 +25,8 @@ struct DomeFisheye {
 inline namespace ERGO_TARGET {
 
 namespace detail {
-//! Returns the point of the dome at image position (x, y), in view axes; its component across the
-//! zenith is `outwards` times (x, y).
+//! Returns the point of the dome at image position (x, y), in view axes. Its component along the
+//! axis through the dome's top is `cosine`, the one perpendicular to it `outwards` times (x, y).
 template <class T>
 ERGO_HD Vector3<T> tilted_down(const DomeFisheye<ScalarOf<T>>& dome, const T& outwards, const T& cosine, const T& x,
                                const T& y) {
@@ -83,9 +83,9 @@ ERGO_HD Vector3<double> position_on_dome(const DomeFisheye<double>& dome, const 
   return dome.viewer + distance * view;
 }
 
-//! Computes the image position of a view direction: the inverse. The point opposite to the zenith
-//! has no single position and is put at the front. Returns false where the lens has no image of the
-//! direction.
+//! Computes the image position of a view direction: the inverse of direction_from_fisheye(). The
+//! point opposite to the dome's top has no single position and is put at the front. Returns false
+//! where the lens has no image of the direction.
 ERGO_HD bool fisheye_from_direction(const DomeFisheye<double>& dome, const Vector3<double>& view, double& x,
                                     double& y) {
   const Vector3<double> position = position_on_dome(dome, view);

@@ -20,7 +20,8 @@ ERGO_HD Vector3<T> direction_from_equirectangular(const T& x, const T& y) {
   return {elevation_cosine * azimuth_sine, elevation_sine, -(elevation_cosine * azimuth_cosine)};
 }
 
-//! Computes the image position of a view direction: the inverse; at the poles x is 0.
+//! Computes the image position of a view direction: the inverse of
+//! direction_from_equirectangular(). At the poles x is 0.
 ERGO_HD void equirectangular_from_direction(const Vector3<double>& view, double& x, double& y) {
   x = ::atan2(view.x, -view.z) / 3.14159265358979323846;
   y = ::atan2(view.y, ::sqrt(view.x * view.x + view.z * view.z)) / 1.57079632679489661923;

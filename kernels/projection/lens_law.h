@@ -117,8 +117,8 @@ ERGO_HD void look_through_lens(const FisheyeLens<ScalarOf<T>>& lens, const T& x,
 }
 
 //! Computes the image radius of a ray from the cosine and the non-negative sine of its angle from
-//! the axis: the inverse. Returns false where the law has no image: from π/2 for the orthographic
-//! law, at π for the stereographic one.
+//! the axis: the inverse of look_through_lens(). Returns false where the law has no image: beyond
+//! π/2 for the orthographic law, at π for the stereographic one.
 ERGO_HD bool lens_radius(const FisheyeLens<double>& lens, double cosine, double sine, double& radius) {
   switch (lens.law) {
     case LensLaw::equisolid:
@@ -144,9 +144,9 @@ ERGO_HD bool lens_radius(const FisheyeLens<double>& lens, double cosine, double 
   return true;
 }
 
-//! Returns the largest angle from the axis that a law can have at the rim [rad]. A polynomial must
-//! rise all the way, with at least a hundredth of its slope at the axis. Returns 0 if it does not
-//! rise at the axis.
+//! Returns the largest angle from the axis that a law can have at the rim [rad]. For a polynomial,
+//! that is the angle up to which its slope stays above a hundredth of the slope at the axis; 0 if
+//! it does not rise at the axis.
 ERGO_HD double largest_half_angle(LensLaw law, const double (&coefficient)[4]) {
   constexpr int samples = 4096;
   switch (law) {

@@ -108,7 +108,7 @@ ERGO_HD Projection make_frustum_projection(int width_px, int height_px, const Fr
   return p;
 }
 
-//! Returns the mirror image of a picture, as seen from outside the dome.
+//! Returns a projection whose picture is mirrored, as if seen from outside the dome.
 ERGO_HD Projection seen_from_outside(Projection projection) {
   projection.left = -projection.left;
   return projection;

@@ -28,8 +28,8 @@ ERGO_HD Vector3<T> direction_from_pinhole(const Pinhole<ScalarOf<T>>& pinhole, c
   return {right * inverse_length, up * inverse_length, -inverse_length};
 }
 
-//! Computes the image position of a view direction: the inverse. Returns false for directions
-//! beside or behind the camera.
+//! Computes the image position of a view direction: the inverse of direction_from_pinhole(), also
+//! for positions outside the image. Returns false for directions at 90° or more from the axis.
 ERGO_HD bool pinhole_from_direction(const Pinhole<double>& pinhole, const Vector3<double>& view, double& x, double& y) {
   if (!(view.z < 0.0)) {
     return false;

@@ -9,6 +9,7 @@ namespace ergodome::inline ERGO_TARGET {
 
 //! Computes the image coordinates [px] of the centers of the pixels first, first + 1, ... of a
 //! block of `count`: whole rows of `width_px` pixels, starting at row `first_row` of the image.
+//! Lanes past the end repeat the last pixel.
 template <class T>
 ERGO_HD void pixel_middles(int width_px, int first_row, int count, int first, T& x_px, T& y_px) {
   using S = ScalarOf<T>;
@@ -16,7 +17,8 @@ ERGO_HD void pixel_middles(int width_px, int first_row, int count, int first, T&
   const int begin = first < count ? first : count - 1;
   int row = begin / width_px;
   int column = begin - row * width_px;
-  // Divisions, and registers that are filled lane by lane, take longer than most work on a pixel.
+  // The fast case, lanes within one row: registers that are filled lane by lane take longer than
+  // most work on a pixel.
   if (first + lanes <= count && column + lanes <= width_px) {
     x_px = lane_numbers<T>() + T(static_cast<S>(column) + S(0.5));
     y_px = T(static_cast<S>(row + first_row) + S(0.5));
@@ -65,9 +67,9 @@ ERGO_HD double pixel_side(const Projection& projection, double x_px, double y_px
   return ::sqrt(maximum(dot(steps.across, steps.across), dot(steps.down, steps.down)));
 }
 
-//! Returns the reference angle of a pixel, in which errors are counted [rad]: on the axis of a
-//! lens, on the horizon of a map, at the center of a face or a screen. For most projections this is
-//! also the largest.
+//! Returns the angle that a reference pixel spans, the unit in which errors are counted [rad]: on
+//! the axis of a lens, on the horizon of a map, at the center of a face or a screen. For most
+//! projections no pixel spans a larger angle.
 ERGO_HD double pixel_angle(const Projection& projection) {
   const double width_px = projection.width_px;
   const FisheyeLens<double>& lens = projection.dome.lens;

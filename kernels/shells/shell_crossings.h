@@ -19,11 +19,11 @@ template <class T>
 struct NearPosition {
   T u;           //!< 1 / r [1/M]
   T u_rate;      //!< du/dλ, backwards: positive for light emitted outwards
-  Vector3<T> m;  //!< polar position without frame dragging
-  //! Rotation of m about the spin axis that leads to the position, with φ = 0 at the camera or the
-  //! head [rad].
+  Vector3<T> m;  //!< direction from the hole's center without frame dragging, a unit vector
+  //! Angle by which m must be rotated about the spin axis to point to the position, with φ = 0 at
+  //! the camera or the head [rad].
   T drag;
-  T delay;         //!< coordinate time from there to the camera [M]; only with the delay
+  T delay;         //!< coordinate time from there to the camera [M]; only if Parts include it
   T distance;      //!< affine distance from the camera [M]; only if Parts include it
   RealOf<T> time;  //!< Mino time from there to the camera, for a photon seen with energy 1 [1/M]
 };

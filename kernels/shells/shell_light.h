@@ -50,7 +50,8 @@ ERGO_HD float footprint_width(const ShellFootprint& at) {
 //! touch. The result is a round spot of radius width / spacing, without moiré.
 ERGO_HD float grid_coverage(const ShellFootprint& at, float spacing, float width) {
   const Vector3<float>& d = at.direction;
-  // Limits the sharpness of a pole to a fraction of the pixel's footprint.
+  // The sine is at least a quarter of the footprint's width, so that the lines stay finite at a
+  // pole.
   const float sine = maximum(sqrt(d.x * d.x + d.y * d.y), maximum(0.25F * footprint_width(at), 1e-6F));
   const auto polar = [&](const Vector3<float>& v) { return (d.z * (d.x * v.x + d.y * v.y)) / sine - sine * v.z; };
   const auto azimuthal = [&](const Vector3<float>& v) { return (d.x * v.y - d.y * v.x) / (sine * sine); };
@@ -70,8 +71,8 @@ struct CoveredLight {
 };
 
 //! Returns what a pixel sees of a shell: lines over the fill between them. `g` is ν_observed /
-//! ν_emitted. Colors have no spectrum to shift, so only the brightness is multiplied by g⁴, as for
-//! the sky map.
+//! ν_emitted. If `shifted`, the light is multiplied by g⁴, as for the sky map; its color stays the
+//! same, because the shell has no spectrum to shift.
 ERGO_HD CoveredLight shell_light(const ShellAppearance& appearance, const ShellFootprint& at, float g, bool shifted) {
   const float coverage = appearance.line_width > 0.0F && appearance.line_opacity > 0.0F
                              ? grid_coverage(at, appearance.spacing, appearance.line_width)

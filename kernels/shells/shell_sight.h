@@ -58,7 +58,7 @@ class ShellSight {
  private:
   //! A footprint as wide as this [rad] contains more than one image, or nearly so.
   static constexpr float fine_width = 0.5F;
-  //! Below this fraction of the light behind, a display shows none of it.
+  //! If less than this fraction of the light behind is transmitted, a display shows none of it.
   static constexpr S opaque = S(1.0 / 4096.0);
 
   //! Returns the footprint of what the ray of lane `i` represents, with the camera's azimuth added.

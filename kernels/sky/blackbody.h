@@ -73,8 +73,9 @@ ERGO_HD Vector3<T> linear_srgb(const Vector3<T>& xyz) {
           T(0.0556434F) * xyz.x - T(0.2040259F) * xyz.y + T(1.0572252F) * xyz.z};
 }
 
-//! Interpolates the table at ln T: ln Y, X / Y and Z / Y. Beyond the ends, ln Y is extrapolated
-//! linearly, which is the Rayleigh-Jeans law for the hottest and darkness for the coldest bodies.
+//! Interpolates the table at ln T: ln Y, X / Y and Z / Y. Beyond the ends, the ratios stay those of
+//! the ends, and ln Y is extrapolated linearly, which is the Rayleigh-Jeans law for the hottest and
+//! darkness for the coldest bodies.
 ERGO_HD Vector3<float> read_blackbody(const BlackbodyTable& table, float log_temperature) {
   const float position = (log_temperature - table.first) / table.step;
   const float clamped = minimum(maximum(position, 0.0F), static_cast<float>(table.count - 1));

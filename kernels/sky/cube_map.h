@@ -111,7 +111,7 @@ struct BilinearPosition {
 template <class T>
 ERGO_HD BilinearPosition<T> bilinear_position(const CubePosition<T>& position, const T& size) {
   // Counted from the border, so that numbers are positive. Rounding can put a position slightly
-  // outside the face, where only one border texel exists.
+  // outside the face, where only one border texel exists, so positions are clamped to the face.
   const T half(0.5F);
   const T x = minimum(maximum((position.x + 1.0F) * 0.5F * size + half, half), size + half);
   const T y = minimum(maximum((position.y + 1.0F) * 0.5F * size + half, half), size + half);

@@ -6,7 +6,7 @@
 // Filters of the sky's cube map: anisotropic, or bilinear in a single direction.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Maximum number of probes along the major axis; longer ellipses are widened instead.
+//! Maximum number of probes along the major axis. Ellipses that need more get wider probes.
 inline constexpr int probe_limit = 16;
 
 //! Light of as many pixels as a real number has lanes, with the components of texels.
@@ -26,7 +26,7 @@ ERGO_HD SkyLight<T> no_light() {
   return light;
 }
 
-//! Adds the mean of the sky to the lanes with a positive share.
+//! Adds the mean of the sky, times the share of each lane, to the lanes.
 template <class T>
 ERGO_HD void add_mean(const CubeMap& map, const T& share, SkyLight<T>& light) {
   if (any(share > T(0.0F))) {
@@ -206,9 +206,9 @@ ERGO_HD void add_line(const CubeMap& map, const ProbeLine<T>& line, const Vector
 //! `direction` is a unit vector, `along_x` and `along_y` are its derivatives per pixel. Where
 //! `factor` is 0 they are ignored and the light is 0. The probes are as wide as the minor axis and
 //! lie on a great circle, so they cross faces and poles like any other position (after Feline:
-//! McCormack, Perry, Farkas & Jouppi, SIGGRAPH 1999; EWA: Heckbert 1989). A footprint that is as
-//! wide as the sky, or NaN, sees the mean of the sky. Weights sum to 1, so a constant sky stays
-//! constant.
+//! McCormack, Perry, Farkas & Jouppi, SIGGRAPH 1999; EWA: Heckbert 1989). A footprint with a
+//! standard deviation of 1 rad or more, or NaN, sees the mean of the sky. Weights sum to 1, so a
+//! constant sky stays constant.
 template <class T>
 ERGO_HD SkyLight<T> filter_sky(const CubeMap& map, const Vector3<T>& direction, const Vector3<T>& along_x,
                                const Vector3<T>& along_y, const T& factor) {

@@ -38,7 +38,8 @@ ERGO_HD double horizon_radius(Spacetime spacetime) {
   return 1.0 + ::sqrt(::fmax(0.0, (1.0 - spacetime.spin) * (1.0 + spacetime.spin)));
 }
 
-//! Returns the same for the spin of a camera, in the precision of its rays.
+//! Returns the radius of the outer horizon [M] for the spin of a camera, in the precision of its
+//! rays.
 template <class S>
 ERGO_HD S kerr_horizon_radius(S spin) {
   return S(1) + safe_sqrt((S(1) - spin) * (S(1) + spin));

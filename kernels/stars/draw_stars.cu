@@ -5,9 +5,10 @@ namespace ergodome {
 
 namespace {
 
-//! Number of points of a tile that a block holds at a time.
+//! Number of points of a tile that a block holds in shared memory at a time.
 constexpr int held_points = 64;
-//! Number of values that a block sorts in shared memory.
+//! Maximum number of points of a tile that a block sorts in shared memory; one thread sorts longer
+//! lists.
 constexpr int held_numbers = 2048;
 
 //! Sorts the points of a tile, one block per tile: each thread finds the ranks of some points by
@@ -45,7 +46,8 @@ struct TileOfBlock {
   int x;
   int y;
   bool inside;
-  int first;  //!< first member of the tile's list
+  //! Index in StarLightBatch::members of the tile's first point; `last`: one past its last point.
+  int first;
   int last;
 
   __device__ explicit TileOfBlock(const StarLightBatch& batch) {
@@ -60,8 +62,8 @@ struct TileOfBlock {
   }
 };
 
-//! Draws the spots of a tile, one block per tile, one thread per pixel. The parts of each spot on
-//! each column and row are computed once; a pixel uses their product.
+//! Draws the spots of a tile, one block per tile, one thread per pixel. The fractions of each
+//! spot's light on each column and on each row are computed once; a pixel uses their product.
 __global__ void draw_spots(const __grid_constant__ DrawStars functor) {
   __shared__ float light_of[held_points][3];
   __shared__ float columns[held_points][star_tile_px];

@@ -53,11 +53,13 @@ struct StarLightBatch {
   //! Indices in `points`, sorted within each tile; a repeated index counts once.
   const std::int32_t* members;
   int tile_columns;
-  //! 1 / (√2 σ) of the Gaussian; 0: all light falls on the pixel that contains the point.
+  //! 1 / (√2 σ) of the Gaussian over which a point's light is spread [1/px]; 0: all light falls on
+  //! the pixel that contains the point.
   float narrower;
   float reach_px;  //!< radius at which the Gaussian is cut off
   float share;     //!< 0.5 / (fraction of the Gaussian within reach_px)
-  //! Spike pattern, three floats per pixel: spikes are drawn instead of points; or nullptr.
+  //! Spike pattern, three floats per pixel. If it is nullptr, points are drawn; otherwise only
+  //! their spikes.
   const float* pattern;
   int pattern_px;
 };

@@ -56,7 +56,8 @@ struct PlaceStar {
   }
 };
 
-//! Sorts a tile's points, which threads have listed in nondeterministic order. Most tiles have few.
+//! Sorts a tile's points by number, since threads list them in nondeterministic order. Most tiles
+//! have few.
 struct SortTile {
   StarTileBatch batch;
 

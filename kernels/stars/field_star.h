@@ -32,7 +32,8 @@ struct ShiftGain {
 
 inline namespace ERGO_TARGET {
 
-//! Returns the class of a star; `log_temperature`: ln T [K].
+//! Returns the class of a star: the first or the last if its temperature is outside all classes.
+//! `log_temperature`: ln T [K].
 ERGO_HD int star_class(float log_temperature) {
   const int position = static_cast<int>((log_temperature - log_coldest_class) / star_class_width);
   return position < 0 ? 0 : position < star_classes ? position : star_classes - 1;

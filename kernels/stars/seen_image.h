@@ -25,7 +25,7 @@ struct StarImage {
 struct SeenImage {
   StarImage image;
   float arc;    //!< length of the arc, due to the size of the star's disk [rad]
-  bool capped;  //!< limited by the size of the star's disk: its parity means nothing
+  bool capped;  //!< the star's disk limits the magnification: the image's parity means nothing
 };
 
 //! Maximum length of an arc [rad].

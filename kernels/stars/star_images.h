@@ -46,7 +46,9 @@ struct StarImageBatch {
   S* frequency_ratio;  //!< g = ν_observed / ν_emitted
   //! Estimated distance of the image from its exact position [rad]; huge if no light arrives.
   S* miss;
-  S* change;  //!< estimated relative error of its magnification; 0 below the tolerance
+  //! Estimated relative error of its magnification; 0 if the last step was within `tolerance`, or
+  //! if no light arrives.
+  S* change;
 };
 
 template <class S, class Camera>

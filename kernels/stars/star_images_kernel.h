@@ -73,7 +73,7 @@ struct FindStarImages {
     T stretch;
     T frequency_ratio;
     T miss;
-    T change;  //!< relative change of the magnification over the last step
+    T change;  //!< estimated relative change of the magnification over the last step
   };
 
   template <class Part>
@@ -82,7 +82,8 @@ struct FindStarImages {
             load_lanes<T>(from[2], first, batch.count)};
   }
 
-  //! Returns the direction n moved by x along e1 and y along e2.
+  //! Returns the direction n moved by x along e1 and y along e2. `scale`: angle from the shadow's
+  //! edge [rad]; near the edge, all but short steps are made in the chart.
   ERGO_HD Vector3<T> moved(const Vector3<T>& n, const Vector3<T>& e1, const Vector3<T>& e2, const T& x, const T& y,
                            const T& scale) const {
     // Shorter steps would only add the rounding of the edge's table, and far from the edge the

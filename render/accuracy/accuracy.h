@@ -15,10 +15,10 @@ inline constexpr std::array accuracy_axis_names = {"rays", "lens",  "stations", 
 
 //! Returns the names of the requested axes that apply to a show.
 //!
-//! `rays` and `map` always apply; `lens` if the map's filter needs footprints; `stations` if the
-//! camera's r or θ changes, the spin is constant and the grid scheme can be baked; `stereo` with
-//! two eyes; `stars` if the show has stars; `near` if it has a disk, shells or objects. With
-//! settings.quick, shows with objects have neither `near` nor `frame`.
+//! `rays`, `map` and `frame` always apply; `lens` if the map's filter needs footprints; `stations`
+//! if the camera's r or θ changes, the spin is constant and the grid scheme is conforming; `stereo`
+//! with two eyes; `stars` if the show has stars; `near` if it has a disk, shells or objects.
+//! Exception: with settings.quick, shows with objects have neither `near` nor `frame`.
 std::vector<std::string> accuracy_axes(const Show& show, const AccuracySettings& settings);
 
 //! Measures, on this machine's CPU and for a show, what each degree of accuracy costs, along each

@@ -93,9 +93,9 @@ struct AccuracyReport {
   std::vector<std::string> notes;  //!< what was omitted, and why
 };
 
-//! Returns the ratio of the slowest to the fastest run of a measurement, as the median over all
-//! measurements with at least two runs; 0 if there is none. The median is insensitive to single
-//! disturbed measurements.
+//! Returns the ratio of the longest to the shortest time in Measurement::frame_ms, as the median
+//! over all measurements with at least two runs; 0 if there is none. The median is insensitive to
+//! single disturbed measurements.
 double time_spread(const AccuracyReport& report);
 
 //! Maximum time_spread() for which the machine counts as idle enough to rank methods.
@@ -129,7 +129,8 @@ struct EqualErrorRow {
   std::string method;
   //! The method's cheapest measurement within the error limit; nullptr if none is within it.
   const Measurement* choice = nullptr;
-  //! Ratio of its time to that of the base method, by round; empty if there is no base.
+  //! Ratio of its time to that of the base method, formed in each round: median and extremes. Empty
+  //! if the method or the base method has no measurement within the error limit.
   Spread ratio;
 };
 

@@ -20,7 +20,7 @@ struct AccuracySettings {
   int rounds = 5;     //!< timed runs of each method; methods take turns
   int lattice = 200;  //!< number of columns of the lattice; one pixel of each cell is compared
   //! Measures fewer settings, draws slow frames less often, and omits slow axes. quick_settings()
-  //! also reduces the numbers of moments and pixels.
+  //! also reduces the numbers of moments, rounds and compared pixels, and the pictures' width.
   bool quick = false;
   //! Names of the axes to measure; empty: all that apply to the show.
   std::vector<std::string> axes;
@@ -33,9 +33,8 @@ struct AccuracyMoment {
   double time_s = 0.0;
   CameraPose pose{};  //!< the head's pose at `time_s`
   CameraPose next_pose{};
-  EyeCamera eye{};  //!< the head as a single eye at `time_s`
-  //! The head as a single eye one frame later; if the camera stands still, turned to the right by
-  //! half a pixel.
+  EyeCamera eye{};  //!< the measured eye at `time_s`: the head; for the stereo axis, the left eye
+  //! The same eye one frame later; if the camera stands still, turned to the right by half a pixel.
   EyeCamera next{};
   Projection projection{};
   double pixel = 0.0;  //!< angle of the pixel that is the unit of errors [rad]

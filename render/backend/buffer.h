@@ -146,8 +146,8 @@ class DeviceWorkInOrder {
   int errors_ = std::uncaught_exceptions();
 };
 
-//! While it exists, GPU work of the calling thread runs before that of other threads and does not
-//! wait for it.
+//! While it exists, GPU work of the calling thread goes into a separate CUDA stream of the highest
+//! priority: it is preferred to that of other threads and does not wait for it.
 class UrgentDeviceWork {
  public:
   explicit UrgentDeviceWork(Backend backend) : urgent_(backend == Backend::cuda) {

@@ -14,11 +14,13 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t page_bytes = std::size_t{1} << 21U;
-//! Enough for the pictures of two eyes and for the buffers in which they are combined.
+//! Limits of the cache: enough for the pictures of two eyes and for the buffers in which they are
+//! combined.
 constexpr std::size_t max_cached_blocks = 4;
 constexpr std::size_t max_cached_bytes = std::size_t{3} << 29U;
-//! Block size up to which memory comes from the heap: the maximum that glibc allows. Larger blocks
-//! are always mapped and unmapped.
+//! Block size up to which glibc takes memory from its heap, the maximum that it allows (larger
+//! blocks are always mapped and unmapped), and the free memory at the heap's end that it keeps
+//! instead of returning it to the system.
 constexpr int max_heap_bytes = 32 << 20;
 constexpr int max_free_bytes = 1 << 30;
 

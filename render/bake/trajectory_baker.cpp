@@ -23,8 +23,8 @@ namespace ergodome {
 
 namespace {
 
-//! Blending between two stations is accurate enough if its error is at most this multiple of the
-//! stations' own errors.
+//! A stretch whose error exceeds the budget is not divided if its error is at most this multiple of
+//! min_error(), which no division can remove.
 constexpr double floor_slack = 1.1;
 //! Maximum number of parts into which a stretch is divided at once.
 constexpr int max_parts = 16;
@@ -33,12 +33,13 @@ constexpr int max_halvings = 12;
 //! half the budget, up to `max_finer_grids` times.
 constexpr double own_share = 0.8;
 constexpr int max_finer_grids = 2;
-//! A division of a stretch counts as a stall if the error of a part exceeds this fraction of the
-//! error of the whole. After `max_stalls` successive stalls the parts are not divided further.
+//! A part of a divided stretch counts as a stall if its error exceeds this fraction of the error of
+//! the stretch before the division. After `max_stalls` successive stalls, a part is not divided
+//! further.
 constexpr double stalled_share = 0.5;
 constexpr int max_stalls = 2;
-//! Stretches with fewer frames than this are not divided: at such distances, building a grid for
-//! each frame costs no more than reading stations.
+//! Stretches of this many frames or fewer are not divided: with stations so close to each other,
+//! building a grid for each frame costs no more than reading stations.
 constexpr double min_frames = 4.0;
 //! Maximum number of times that a stretch is halved because of errors of the disk layers. Layers
 //! are discontinuous where a camera crosses the disk's plane, and halving does not remove that
@@ -99,8 +100,8 @@ class Baker {
     return grid;
   }
 
-  //! Returns the range for the charts of all stations: the maximum of chart_range() at 65 times. It
-  //! is the same for all, because a station's derivatives are computed for a fixed range.
+  //! Returns the LensChart::range of all stations: the maximum of chart_range() at 65 show times.
+  //! It is the same for all, because a station's derivatives are computed for a fixed range.
   [[nodiscard]] double common_range() const {
     constexpr int samples = 64;
     double range = 0.0;
@@ -211,8 +212,9 @@ class Baker {
   }
 
   //! Returns the largest error [px] of blending two stations, at a quarter, half and three quarters
-  //! of the time between them, and of the shadow's edge at both. If neither the camera's position
-  //! nor its velocity changes, only that of the edge in the first station.
+  //! of the time between them, and of the shadow's edge at both. If the camera's position does not
+  //! change, also at the end; if its velocity does not change either, returns only the error of the
+  //! edge in the first station.
   [[nodiscard]] double gap_error(const LensStation& first, const LensStation& last, double begin_s,
                                  double end_s) const {
     const double length_s = end_s - begin_s;

@@ -30,7 +30,8 @@ struct BakeSettings {
 struct BakeResult {
   std::vector<double> times_s;  //!< times of the stations, in order
   int built = 0;                //!< stations that the journal did not have
-  //! Number of gaps between stations that exceed the budget and cannot be improved by division.
+  //! Number of gaps between stations whose error exceeds the budget because they are not divided
+  //! further (short, or without improvement).
   int unmet = 0;
   double worst_px = 0.0;      //!< largest error of a gap
   double worst_time_s = 0.0;  //!< show time in the middle of the gap with the largest error

@@ -15,7 +15,7 @@ struct DiskCrossing {
   double r;                //!< [M]
   double azimuth_deg;      //!< Boyer-Lindquist φ, in [0, 360)
   double frequency_ratio;  //!< ν_observed / ν_emitted for the disk's matter
-  double delay;            //!< coordinate time from there to the camera [M]
+  double delay;            //!< coordinate time of the light from the crossing to the camera [M]
 };
 
 //! A ray's first crossings of the equatorial plane; crossings outside the disk's edges are empty.

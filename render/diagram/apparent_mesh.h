@@ -19,7 +19,7 @@ struct ApparentVertex {
   Vector3<double> seen;
   Vector3<double> direction;  //!< unit vector from the observer to `seen`; 0 if not `connected`
   std::array<double, 2> texture;
-  bool connected;  //!< whether light from there reaches the observer
+  bool connected;  //!< whether light of the image order reaches the observer from `position`
 };
 
 //! A mesh as an observer at rest near a hole without spin sees it: Müller, Schulz & Weiskopf

@@ -211,7 +211,8 @@ void Diagram::add_connecting_rays(const Moment& moment, std::size_t object, int 
     scene.lines.push_back({std::move(curve), ink, ray_width_px});
     ++scene.ray_count;
     if (sights-- > 0) {
-      // Near the observer the dashes would coincide with the ray.
+      // The dashes start at 0.4 of the observer's radius from the observer; closer, they would
+      // coincide with the ray.
       const Vector3<double> seen = apparent_vertex(moment.observer, start, order).seen;
       const Vector3<double> way = seen - moment.observer;
       const double apart = std::min(0.4 * moment.eye.r / far_from_hole(way), 1.0);

@@ -16,7 +16,7 @@ namespace {
 constexpr double grid_width_px = 1.0;
 constexpr double axis_width_px = 1.3;
 constexpr double outline_width_px = 1.3;
-//! Minimum length of the drawn spin axis [M].
+//! Minimum length of the drawn spin axis on each side of the hole's center [M].
 constexpr double min_axis = 4.5;
 
 }  // namespace

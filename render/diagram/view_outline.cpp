@@ -57,8 +57,8 @@ ViewOutline view_outline(const ViewSettings& view, const EyeCamera& eye) {
   const auto add = [&](double x, double y, bool corner) {
     const Vector3<double> unit =
         turned(direction_from_pixel(projection, x * projection.width_px, y * projection.height_px));
-    // Limits screens that are very wide, or that aberration turns beyond 90° from the forward
-    // direction.
+    // Points of a flat screen are moved to distance 1 along the forward direction. Points more than
+    // about 73° from that direction, on very wide screens or by aberration, stay closer.
     const Vector3<double> direction = flat ? (1.0 / std::max(dot(unit, forward), 0.3)) * unit : unit;
     outline.border.push_back(direction);
     if (corner) {

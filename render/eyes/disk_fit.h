@@ -27,7 +27,8 @@ class DiskFit {
  public:
   DiskFit(const std::vector<DiskPoint>& points, int degree);
 
-  //! Returns the coefficients of the polynomial nearest to the values.
+  //! Returns the coefficients of the polynomial that fits the values at the points with the
+  //! smallest sum of squared errors.
   [[nodiscard]] std::vector<double> fit(std::vector<double> values) const;
 
  private:
@@ -37,7 +38,7 @@ class DiskFit {
   std::vector<std::vector<double>> triangle_;
 };
 
-//! A fixed number of values at a point on the disk.
+//! Function that returns values at a point on the disk, equally many for every point.
 using DiskNumbers = std::function<std::vector<double>(const DiskPoint& point)>;
 
 //! Fits one polynomial of a degree to each of the values that `numbers_at` returns, and returns the

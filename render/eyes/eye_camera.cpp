@@ -13,9 +13,10 @@ namespace ergodome {
 
 namespace {
 
-//! Sets an eye's motion. All eyes of a head have the velocity of the head's observer at the head's
-//! position, except those of rain and ZAMO observers, who are defined at each eye's own position.
-//! Throws Error if the observer would not be slower than light.
+//! Sets an eye's motion. All eyes of a head have the same velocity in the ZAMO frame: that of the
+//! observer at the head's position. Rain and ZAMO observers are defined at each eye's own position
+//! instead, and eyes of an infalling head have the same velocity in the rain frame. Throws Error if
+//! the observer would not be slower than light.
 void set_motion(EyeCamera& eye, const Show& show, const CameraPose& pose) {
   if (pose.velocity && pose.velocity_in_rain) {
     eye.motion = ObserverMotion::rain_boost;
@@ -57,12 +58,12 @@ EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<dou
     }
   }
   // An eye that would be inside the hole is moved out to just outside the horizon; an eye of an
-  // infalling head is moved out to the minimum radius.
+  // infalling head only to just outside min_interior_radius().
   const EyeEvent event =
       eye_event(spacetime, pose.r, pose.theta, pose.phi, head, offset, {deepest + 1e-3 * (pose.r - deepest), in_rain});
   EyeCamera eye{};
   eye.spacetime = spacetime;
-  // An eye at the head's position gets exactly the head's coordinates, so that it equals a single
+  // An eye at the head's position gets exactly the head's r and θ, so that it equals a single
   // camera.
   constexpr double rounding = 1e-12;
   const auto unless_rounding = [](double of_eye, double of_head) {

@@ -18,9 +18,11 @@ struct EyeCamera {
   Vector3<double> velocity{};
   //! Rotation whose columns are the view's x (right), y (up), z (back) in (e_r, e_θ, e_φ).
   double frame_from_view[3][3];
-  double head_r;            //!< Boyer-Lindquist radius of the head; for a single eye its own [M]
-  double head_theta;        //!< polar angle of the head [rad]
-  double clock_lead = 0.0;  //!< CameraPose::clock_lead for this eye [M]
+  double head_r;      //!< Boyer-Lindquist radius of the head; for a single eye its own [M]
+  double head_theta;  //!< polar angle of the head [rad]
+  //! CameraPose::clock_lead for this eye [M]: Boyer-Lindquist time minus the show's time, for an
+  //! eye of a head that falls through the horizon; otherwise 0.
+  double clock_lead = 0.0;
 };
 
 //! Returns an eye of the show's camera at a pose, at `offset` [M] from the head in the view's axes

@@ -26,7 +26,8 @@ CameraStation station_of(const EyeCamera& eye, double phi) {
   return make_camera_station(eye.spacetime, eye.r, eye.theta, phi, eye.motion, eye.velocity);
 }
 
-//! A linear form of the view's direction, as four numbers.
+//! A linear form of the view's direction: its constant term, and its coefficients for the
+//! components x, y and z.
 using Form = std::array<double, 4>;
 
 Form form_in_view(const EyeCamera& eye, const DirectionForm<double>& form) {
@@ -53,7 +54,8 @@ double azimuth_of(const EyeCamera& eye, bool ingoing) {
   return eye.phi + (ingoing && outside ? ingoing_turn(eye.spacetime, eye.r) : 0.0);
 }
 
-//! Returns the numbers of an exact camera; see omni_numbers.
+//! Returns the values of an exact camera that the polynomials fit, in the order of omni_numbers: u,
+//! the unit vector m of the position, and six linear forms.
 Numbers numbers_of(const EyeCamera& eye, const EyeCamera& head) {
   const bool ingoing = is_ingoing(head);
   const CameraStation camera = station_of(eye, azimuth_of(eye, ingoing) - azimuth_of(head, ingoing));
@@ -73,8 +75,8 @@ Numbers numbers_of(const EyeCamera& eye, const EyeCamera& head) {
   return numbers;
 }
 
-//! Returns a function that computes the numbers of the exact camera (omni_numbers) for a point on
-//! the disk of all eye positions.
+//! Returns a function that computes numbers_of() the exact camera for a point on the unit disk,
+//! which stands for the disk of all eye positions with radius `reach` [M].
 DiskNumbers exact_numbers(const EyeAtOffset& eye_at, double reach, const EyeCamera& head) {
   return [&eye_at, reach, head](const DiskPoint& point) {
     const Numbers numbers = numbers_of(eye_at({reach * point.p, 0.0, reach * point.q}), head);
@@ -231,7 +233,8 @@ double omni_edge_angle(const OmniCameraOf<double>& camera, const ShadowChart& ch
 
 std::vector<float> solve_omni_edge(const OmniCameraOf<double>& camera, const ShadowChart& chart, int count) {
   std::vector<float> polar_angle(static_cast<std::size_t>(count));
-  // Solve one on the calling thread first: exceptions do not cross threads.
+  // Solves the first one on the calling thread, where an Error reaches the caller. Other threads
+  // only record that there was an Error; the first failed angle is solved again below, to throw it.
   polar_angle[0] = static_cast<float>(omni_edge_angle(camera, chart, 0.0));
   std::vector<char> failed(static_cast<std::size_t>(count), 0);
   parallel_for(count, 64, [&](int begin, int end) {

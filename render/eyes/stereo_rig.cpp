@@ -33,8 +33,8 @@ EyeEvent eye_event(Spacetime spacetime, double r, double theta, double phi, cons
   // = r/√Σ, r sinθ dφ = r √(Σ/A).
   const double outwards = room.in_rain ? std::sqrt(f.area) / f.sigma : std::sqrt(std::max(f.delta, 0.0) / f.sigma);
   const double scale[3] = {outwards, r / std::sqrt(f.sigma), r / f.circumference_factor};
-  // Uses the azimuth of ingoing Kerr coordinates, in which infalling observers move straight in.
-  // The Boyer-Lindquist azimuth diverges at the horizon.
+  // With room.in_rain, uses the azimuth of ingoing Kerr coordinates, in which infalling observers
+  // move straight in. The Boyer-Lindquist azimuth diverges at the horizon.
   const auto turn_at = [&](double radius) {
     return room.in_rain && radius > horizon_radius(spacetime) ? ingoing_turn(spacetime, radius) : 0.0;
   };

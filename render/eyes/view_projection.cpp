@@ -14,7 +14,8 @@ namespace ergodome {
 namespace {
 
 constexpr double largest_height_px = 16384.0;
-//! Maximum distance of an eye from the center of a dome, in radii of the dome.
+//! Distance of an eye from the center of a dome, in radii of the dome, from which on
+//! converged_projection() throws Error.
 constexpr double nearest_convergence = 0.95;
 
 //! Returns the height of a picture with square pixels [px], clamped to 1 ... 16384.

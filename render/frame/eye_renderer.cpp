@@ -121,8 +121,8 @@ std::vector<Picture> EyeRenderer::render_pair(const EyePair& wanted, const SkyCu
   const EyePicture& first = wanted.first;
   const EyePicture& second = wanted.second;
   std::vector<Picture> pictures;
-  // Renders one eye after the other: on GPUs, rows and stars are stored for one picture only, and
-  // some passes prepare one picture at a time.
+  // Renders one eye after the other on GPUs, where rows and stars are stored for one picture only,
+  // and if one of the passes prepares only one picture at a time.
   if (backend_ != Backend::cpu ||
       std::ranges::any_of(first.settings.passes, [](const Pass* pass) { return pass->kind().serves_one_picture; })) {
     pictures.push_back(render(first.eye, first.projection, sky, first.settings));

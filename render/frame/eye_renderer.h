@@ -56,7 +56,8 @@ class EyeRenderer {
   std::vector<Picture> render_pair(const EyePair& wanted, const SkyCube& sky);
 
   //! Draws passes over a whole picture in host memory, with the same result as if they had been
-  //! drawn while it was rendered. The passes must support finished pictures.
+  //! drawn while it was rendered. The passes must draw in PassDrawing::finish(); others have no
+  //! effect.
   static void finish(Picture& picture, const EyePicture& wanted);
 
   //! Renders a picture in one piece. It stays in the backend's memory until the next picture, and

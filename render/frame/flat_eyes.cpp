@@ -32,8 +32,9 @@ StereoPictures render_flat_eyes(EyeRenderer& renderer, const EyePicture& head, c
     shadow = std::make_shared<const FlatShadow>(head.eye);
     made.baseline = std::min(stereo.baseline, shadow->max_baseline());
   }
-  // Passes that spread light (bloom) come after the shadow and everything that has its own
-  // parallax.
+  // With a baseline, only passes of infinitely distant things draw with the head's lens. The others
+  // draw over each eye's picture afterwards: the shadow, things with their own parallax, and then
+  // passes that spread light (bloom).
   const PassStage shared = shadow ? PassStage::distant : PassStage::near;
   PictureSettings sharp = settings;
   sharp.passes = passes_until(settings.passes, shared);

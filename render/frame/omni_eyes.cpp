@@ -44,8 +44,8 @@ FittingPair fitting_omni_pair(const Show& show, Backend backend, const CameraPos
   return {*pair, baseline};
 }
 
-//! Returns the ODS cameras for a pose of the head while the shutter is open, with the largest
-//! baseline that fits there.
+//! Returns the ODS cameras for a pose of the head while the shutter is open, with the show's
+//! baseline or, if it does not fit at that pose, with the largest that does.
 std::shared_ptr<const OmniCamera> fitting_omni_cameras(const Show& show, Backend backend, const CameraPose& pose,
                                                        double tolerance) {
   const auto cameras = [&](double baseline) {

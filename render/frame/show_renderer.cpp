@@ -153,7 +153,8 @@ std::vector<CameraPose> ShowRenderer::shutter_poses(const CameraPose& middle, do
   for (int i = -steps; i <= steps; ++i) {
     poses.push_back(camera_pose(show_, time_s + half * i / steps));
     if (!middle.velocity) {
-      // An observer that was set with set_observer() is outside the horizon.
+      // `middle` has no velocity: its observer was set with set_observer() and is outside the
+      // horizon. Poses inside the horizon are replaced by `middle`.
       const CameraPose outside = in_zamo_frame(poses.back(), spacetime_of(show_));
       poses.back() = outside.velocity_in_rain ? middle : outside;
       poses.back().velocity.reset();
@@ -195,7 +196,8 @@ PictureSettings ShowRenderer::picture_settings(const CameraPose& pose, ViewMode 
     settings.follow = {method_.value_or(TraceMethod::taylor), watched_shells(show_.shells), method_.has_value()};
   }
   settings.time_s = moment.time_s.value_or(time_s_);
-  // In free flight the camera's future path is unknown.
+  // Without a show time (in free flight) the camera's future path is unknown, so there are no
+  // trails.
   if (star_needs(show_, mode).trails && moment.time_s) {
     settings.shutter.emplace();
     for (const CameraPose& each : shutter_poses(pose, *moment.time_s)) {
@@ -273,7 +275,7 @@ bool ShowRenderer::may_stay_in_place(ViewMode mode) const {
     return false;
   }
   const StereoSettings& stereo = show_.stereo;
-  // Color bars cover both eyes' pictures together.
+  // Heat maps of two eyes cannot stay, because one color bar is drawn over both pictures.
   return eye_count(stereo) < 2 || (eye_cameras(stereo.model) == EyeCameras::own && mode == ViewMode::sky &&
                                    shows_eyes_whole(stereo.layout) && !stereo.tint_eyes);
 }

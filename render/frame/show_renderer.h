@@ -64,12 +64,14 @@ class ShowRenderer {
   [[nodiscard]] std::vector<std::string> notes() const;
 
   //! Sets the show's animated numbers to their values at a show time, for all pictures until the
-  //! next call. render() calls it. Costs nothing for numbers that do not change. Throws Error if
-  //! the sky has to be read again, to be rotated, and cannot be.
+  //! next call. render_frame() calls it. Costs nothing for numbers that do not change. Throws Error
+  //! if an animation rotates the sky's map, whose image is read again for that, and it cannot be
+  //! read.
   void apply(double time_s);
 
-  //! Replaces the show at the current time, for example after its file was edited. Loads the sky
-  //! only if it differs. Throws Error if something cannot be read or drawn, and keeps the old show.
+  //! Replaces the show while it plays, for example after its file was edited; the show time stays
+  //! the same. Loads the sky's map only if it or its settings differ. Throws Error if something
+  //! cannot be read or drawn, and keeps the old show.
   //!
   //! `stream`: the new show's own trajectory, if there is one.
   void set_show(const Show& show, std::shared_ptr<StationStream> stream = nullptr);
@@ -90,8 +92,8 @@ class ShowRenderer {
   Picture render_window(const CameraPose& pose, const Projection& projection, ViewMode mode,
                         const ShowMoment& moment = {});
 
-  //! Like render_window(), but returns the two eyes' pictures, left first, without joining them if
-  //! the layout places them whole beside or above each other.
+  //! Like render_window(), but returns the pictures of two eyes separately if the layout shows eyes
+  //! whole (shows_eyes_whole()): the left one first, unless the show swaps eyes.
   std::vector<Picture> render_window_parts(const CameraPose& pose, const Projection& projection, ViewMode mode,
                                            const ShowMoment& moment = {});
 
@@ -128,7 +130,7 @@ class ShowRenderer {
   void set_quality(const FrameQuality& quality);
   [[nodiscard]] FrameQuality quality() const;
 
-  //! Returns the lens with which render_eye() draws the head's picture.
+  //! Returns the lens with which render_eye() draws the head's picture in ViewMode::sky.
   std::unique_ptr<LensSource> lens_of(const CameraPose& pose, const Projection& projection,
                                       const ShowMoment& moment = {});
 

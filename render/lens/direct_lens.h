@@ -10,7 +10,8 @@
 
 namespace ergodome {
 
-//! Returns the state of the camera from which an eye's rays are traced.
+//! Returns the CameraStation from which an eye's rays are traced: its position and velocity,
+//! prepared for kernels.
 CameraStation station_of(const EyeCamera& eye);
 
 //! Returns the part of the kernels' batch settings that all lens sources share; the source itself

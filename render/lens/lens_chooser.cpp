@@ -17,9 +17,9 @@ namespace {
 
 //! Number of cached grids: for both eyes, at the current moment and the previous one.
 constexpr std::size_t kept_grids = 4;
-//! Factor by which errors that the bake did not measure may exceed its budget. A bake uses up most
-//! of its budget, so an eye beside the path, or a frame beside damaged stations, may exceed it
-//! slightly.
+//! Factor by which errors that the bake did not measure may exceed the bake's or the frame's
+//! budget, whichever is larger. A bake uses up most of its budget, so an eye beside the path, or a
+//! frame beside damaged stations, may exceed it slightly.
 constexpr double unmeasured_slack = 1.25;
 
 double error_of(const GridOrder& order) { return order.settings.budget_px * order.settings.pixel; }
@@ -160,14 +160,15 @@ std::unique_ptr<LensSource> LensChooser::streamed(const LensRequest& request) {
     return nullptr;
   }
   const std::optional<StationPair> pair = stream_->at(*request.moment.time_s, request.moment.patience_s);
-  // Errors that the bake did not measure are checked on the CPU, so this is possible only there.
+  // Errors that the bake did not measure are checked with rays on the CPU; a GPU does not use
+  // stations for such frames.
   const bool unmeasured = beside || (pair && pair->skips);
-  // A pair of stations that was rejected once stays rejected, so that frames do not alternate
-  // between lenses.
+  // A pair of stations with unreadable ones between them that was rejected once stays rejected, so
+  // that frames do not alternate between lenses.
   if (!pair || (unmeasured && backend_ != Backend::cpu) || (pair->skips && refused_.lock() == pair->first)) {
     return nullptr;
   }
-  // Converts the accepted error to pixels of the bake.
+  // The accepted error, in pixels of the bake; at least the bake's own budget.
   const double allowed_px = std::max(request.accuracy.budget_px * pixel / baked.pixel, baked.budget_px);
   if (static_cast<double>(pair->gap_error_px) > 1.001 * allowed_px) {
     return nullptr;

@@ -111,7 +111,7 @@ class LensChooser {
     double error;  //!< error budget [rad]
     ObserverMotion motion;
     Vector3<double> velocity;
-    double traced_px;  //!< pixels of the frame that the grid leaves to rays
+    double traced_px;  //!< area of the leaves that are left to rays, in the whole sky [px²]
     std::shared_ptr<const StationBuffers> station;
   };
 
@@ -129,7 +129,7 @@ class LensChooser {
   GridTracer<float> tracer_;
   EdgeMiss edge_miss_;
   std::unique_ptr<GridWorker> worker_;    //!< created on first use
-  std::optional<EyeCamera> ordered_eye_;  //!< eye whose grid the worker last started
+  std::optional<EyeCamera> ordered_eye_;  //!< eye of the last frame that asked the worker for a grid
   std::list<Grid> grids_;                 //!< cached live grids, the latest one first
   //! The first station of the last pair that was rejected because a station between them could not
   //! be read and their blend exceeded the budget.

@@ -15,7 +15,8 @@ namespace {
 //! which do not change frames.
 bool omni_numbers_alike(double a, double b) { return std::abs(a - b) <= 1e-10 * (1.0 + std::abs(a)); }
 
-//! Returns the head with the view's axes as its frame.
+//! Returns the head's camera with the identity as frame_from_view, because ODS cameras compute in
+//! the view's axes.
 EyeCamera head_in_view(const EyeAtOffset& eye_at) {
   EyeCamera head = eye_at({0.0, 0.0, 0.0});
   for (int i = 0; i < 3; ++i) {

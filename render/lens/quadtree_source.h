@@ -9,8 +9,8 @@
 
 namespace ergodome {
 
-//! A lens read from the published quadtree grid of the eye's own position and motion. It is the
-//! baseline for comparisons; CPU only.
+//! A lens read from the published quadtree grid of the eye's own position and velocity. Other
+//! lenses are compared with it; CPU only.
 class QuadtreeSource : public LensSource {
  public:
   QuadtreeSource(std::shared_ptr<const QuadtreeLens> grid, const EyeCamera& eye, const Projection& projection,

@@ -13,7 +13,8 @@ constexpr std::size_t channels = 4;
 //! Fraction of the other colors that remains in a tinted picture.
 constexpr float tint = 0.35F;
 
-//! Returns a picture of another size, without pixels, with the same lens, heat range and tone.
+//! Returns a picture of another size, without pixels, with the same name of the lens, heat range
+//! and tone.
 Picture frame_like(const Picture& picture, ImageSize size) {
   Picture made;
   made.width = size.width;
@@ -28,7 +29,7 @@ std::size_t numbers_of(const Picture& picture) {
   return channels * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
 }
 
-//! Returns a black picture of another size, with the same lens, heat range and tone.
+//! Returns a black picture of another size, with the same name of the lens, heat range and tone.
 Picture like(const Picture& picture, ImageSize size) {
   Picture made = frame_like(picture, size);
   made.rgba.assign(numbers_of(made), 0.0F);

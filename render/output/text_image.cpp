@@ -77,7 +77,7 @@ LaidLines laid_lines(const std::string& text, int font_px, TextFace face, int wi
   laid.left_px = lines.x;
   if (!text.empty() && lines.width > 0 && lines.width <= longest_px && lines.height <= longest_px) {
     const int width = lines.width + 2 * laid.margin_px;
-    // A window may be narrower than a letter.
+    // The image is never wider than `widest_px`, even if that is narrower than a letter.
     laid.size = {widest_px > 0 ? std::min(width, widest_px) : width, lines.height + 2 * laid.margin_px};
   }
   return laid;

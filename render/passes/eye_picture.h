@@ -45,7 +45,8 @@ struct PictureSettings {
   float exposure = 1.0F;
   //! The lens to use, instead of choosing one by `lens` and `accuracy`.
   const LensSource* given = nullptr;
-  //! For heat maps: the rays to show, instead of rays to the sky.
+  //! For heat maps of steps and error estimates: how their rays are followed (with any integrator,
+  //! and to shells), instead of choosing a lens; see FollowLens.
   std::optional<FollowedRays> follow;
   LensChoice lens = LensChoice::automatic;
   LensAccuracy accuracy{};

@@ -49,7 +49,7 @@ struct FinishedFrame {
   const CameraPose& pose;
   const Projection& projection;
   std::optional<double> time_s;  //!< show time; none in free flight
-  double clock_s;                //!< time over which automatic exposure adapts: of the show or the wall clock
+  double clock_s;                //!< time by the clock of automatic exposure: the show's or the wall clock
   Tone tone;                     //!< tone with which all eyes' pictures are displayed
   std::vector<FinishedEye> eyes;
 };

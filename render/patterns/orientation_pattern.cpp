@@ -28,7 +28,7 @@ float grid_light(const PatternView& projection, const PatternPosition& position)
   const double circles = 0.12 * line_at(position.elevation_deg, spacing_deg, steps.elevation_deg, 1.5);
   const double lines =
       0.12 * line_at(position.azimuth_deg, crowded ? 3.0 * spacing_deg : spacing_deg, steps.azimuth_deg, 1.5);
-  // A spacing of 180° yields only the horizon. The poles are points.
+  // Elevations are between -90° and 90°, so a spacing of 180° yields only the horizon.
   const double horizon = 0.4 * line_at(position.elevation_deg, 180.0, steps.elevation_deg, 2.5);
   const double quarters = 0.4 * line_at(position.azimuth_deg, 90.0, steps.azimuth_deg, 2.0);
   return static_cast<float>(std::max({circles, lines, horizon, quarters}));

@@ -193,7 +193,7 @@ Picture left_right_pattern(const PatternView& projection, bool left, bool right)
     dome_position(projection, across, up, azimuth_deg, elevation_deg);
     labels.push_back({text, azimuth_deg, elevation_deg, surface_degrees(projection, height), colour});
   };
-  // The compass is drawn once on a flat screen, and in all four quarters of a dome.
+  // The texts are drawn once on a flat screen, and in four directions on a dome.
   const bool screen = projection.kind == ProjectionKind::pinhole;
   for (int quarter = 0; quarter < (screen ? 1 : 4); ++quarter) {
     const double across = screen ? 0.5 : 0.25 * quarter;

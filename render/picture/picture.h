@@ -34,9 +34,11 @@ struct Picture {
   int width = 0;
   int height = 0;
   PixelValues rgba;
-  const char* lens = "";       //!< source of the lens: LensSource::name()
-  bool behind = false;         //!< LensSource::behind()
-  long unresolved_pixels = 0;  //!< number of rays that did not converge; they show the mean of the sky
+  const char* lens = "";  //!< source of the lens: LensSource::name()
+  //! True if the lens is that of an earlier camera position (LensSource::behind()).
+  bool behind = false;
+  //! Number of pixels whose rays did not converge; they show the mean of the sky.
+  long unresolved_pixels = 0;
   std::optional<HeatRange> heat_range;
   Tone tone;  //!< tone settings with which the picture is to be displayed
 };

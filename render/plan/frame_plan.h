@@ -63,7 +63,7 @@ struct FrameRequest {
   Backend backend = Backend::cpu;
   ViewMode mode = ViewMode::sky;
   LensChoice lens = LensChoice::automatic;
-  std::optional<TraceMethod> method{};  //!< ViewChoice::method
+  std::optional<TraceMethod> method{};  //!< integrator for heat maps of steps and errors
   int size_px = 0;                      //!< width of one eye's picture; 0: the show's
   int map_width_px = 0;                 //!< width of the sky map's image
   bool streamed = false;                //!< the show's trajectory has been baked

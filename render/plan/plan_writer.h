@@ -63,15 +63,16 @@ class PlanWriter {
   void pass(const std::string& name, WorkMoment moment, long runs, long elements, const std::string& reason,
             bool if_needed = false);
   void buffer(const std::string& name, WorkMoment moment, long bytes, const std::string& reason);
-  //! Adds a pass that is run over all pixels of all eyes, block by block.
+  //! Adds a pass that is run over all pixels of the pictures drawn through a lens (eyes()), block
+  //! by block.
   void pixel_pass(const std::string& name, const std::string& reason, bool if_needed = false);
-  //! Adds a pass over the finished pictures that are shown.
+  //! Adds a pass that is run once over each finished picture that is shown (shown()).
   void picture_pass(const std::string& name, const std::string& reason, bool if_needed = false);
 
  private:
   [[nodiscard]] std::string why_animated(const std::string& key) const;
-  //! Returns the number of blocks, or of parts of blocks if eyes alternate, in which the sky is
-  //! rendered; 0: unknown.
+  //! Returns the number of blocks, or of parts of blocks if eyes alternate, in which the sky of one
+  //! picture is rendered; 0: unknown.
   [[nodiscard]] int strips() const;
   //! Returns whether a picture of a show needs a pass with PassKind::serves_one_picture.
   [[nodiscard]] bool needs_one_picture(const Show& show) const;

@@ -43,7 +43,7 @@ class TextPanel {
            PanelGround ground = PanelGround::dark);
 
   //! Draws the panel in a part of the bound framebuffer. `raised`: for bottom_middle, the distance
-  //! from the bottom as a fraction of the height, at least 0.05.
+  //! from the bottom as a fraction of the height; values below 0.05 count as 0.05.
   void draw(const PanelArea& area, PanelPosition position, double raised = 0.0);
 
   //! Draws the panel in a whole framebuffer of the given size.

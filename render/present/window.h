@@ -54,7 +54,7 @@ class Window {
   void close();
   [[nodiscard]] bool closed() const;
 
-  //! Keeps the window above other windows and raises it.
+  //! Keeps the window above other windows and gives it the input focus.
   void keep_in_front();
 
   //! Hides the window; its OpenGL context stays valid.

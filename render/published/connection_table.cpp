@@ -34,10 +34,10 @@ void check(const ConnectionTableSettings& settings) {
   }
 }
 
-//! Returns the number of Chebyshev points for an interpolation error of 1e-9 in the range from
-//! u_low to u_high. The interpolated functions are smooth except at u = 0 and u = 1/2. The error
-//! decreases faster the larger the ellipse around the range can be without containing either
-//! (Trefethen, Approximation Theory and Approximation Practice, ch. 8).
+//! Returns the number of Chebyshev points, 12 to 400, for an interpolation error of 1e-9 in the
+//! range of u = 1/r from u_low to u_high. The interpolated functions are smooth except at u = 0 and
+//! u = 1/2. The error decreases faster the larger the ellipse around the range can be without
+//! containing either of these (Trefethen, Approximation Theory and Approximation Practice, ch. 8).
 int fan_rows_for(double u_low, double u_high) {
   const double half = 0.5 * (u_high - u_low);
   const double nearest = std::min(u_low, 0.5 - u_high) / half;

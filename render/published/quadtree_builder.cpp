@@ -63,7 +63,8 @@ class QuadtreeBuilder {
     const bool dark =
         in_shadow(c.upper_left) && in_shadow(c.upper_right) && in_shadow(c.lower_left) && in_shadow(c.lower_right);
     if (level < settings_.coarsest_level) {
-      // All corners of a large cell may be dark although the cell is not.
+      // Cells of the first three levels are split even if all corners are dark, because a large
+      // cell may contain sky all the same.
       return !dark || level < 3;
     }
     return !dark && std::max(squared_diagonal(c.upper_left, c.lower_right),
@@ -94,8 +95,8 @@ class QuadtreeBuilder {
     trace_wanted();
   }
 
-  //! Adds the four children of a cell, or of a mirrored grid those in the upper half. Their corners
-  //! are the middles of the cell and of its sides.
+  //! Adds the four children of a cell to `next`, or in a mirrored grid those in the upper half, and
+  //! requests a ray at the middle of the cell, the corner that all children share.
   void split(const QuadtreeCell& cell, std::vector<QuadtreeCell>& next) {
     const int half = cell.width / 2;
     for (const int down : {0, half}) {

@@ -91,7 +91,8 @@ std::optional<DisparityMeter::Shift> DisparityMeter::shift_of(const Vector3<doub
       !(is_shown(images_[0], x[0], y[0]) || is_shown(images_[1], x[1], y[1]))) {
     return std::nullopt;
   }
-  // Measures the directions in which a viewer sees them in an image without convergence.
+  // Directions in which a viewer sees the two pixels on the screen, whose projection is that of an
+  // image without convergence.
   const Vector3<double> from = direction_from_pixel(screen_, x[0], y[0]);
   const Vector3<double> to = direction_from_pixel(screen_, x[1], y[1]);
   const double turn = std::atan2(to.x, -to.z) - std::atan2(from.x, -from.z);

@@ -27,7 +27,7 @@ class DisparityMeter {
 
   static constexpr double outlying_share = 0.05;
 
-  //! Returns whether the eye's image, without convergence, contains a direction.
+  //! Returns whether an image without convergence shows a view direction.
   [[nodiscard]] bool shows(const Vector3<double>& view) const;
 
   //! Returns the disparity range; nothing if nothing was added.

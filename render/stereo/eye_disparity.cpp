@@ -51,8 +51,8 @@ bool sky_seen_by(const StereoEye& from, const Vector3<EdgeDual>& seen, Vector3<E
 
 Vector3<double> values(const Vector3<EdgeDual>& v) { return {v.x.value, v.y.value, v.z.value}; }
 
-//! Finds the view direction in which an eye sees a point of the sky, near the initial guess in
-//! `view`. Returns false if there is none.
+//! Finds the view direction in which an eye sees a point of the sky, by Newton's method from the
+//! initial guess in `view`. Returns false if the method does not converge within 0.5 rad of it.
 bool find_direction(const StereoEye& eye, const Vector3<double>& star, Vector3<double>& view) {
   const Vector3<double> first = view;
   for (int round = 0; round < max_rounds; ++round) {
@@ -162,7 +162,7 @@ std::optional<Disparity> frame_disparity(const Show& show, const CameraPose& pos
     add_sky(left, right, directions, meter);
   }
   add_near_things(show, pose, directions, objects, meter);
-  // A shadow is visible only in front of something.
+  // The shadow is visible only in front of the sky, the disk or shells.
   const bool shadow_seen = !is_black(show.sky) || show.disk || !show.shells.empty();
   if (eye_cameras(show.stereo.model) == EyeCameras::own && shadow_seen) {
     add_edge(left, right, meter);

@@ -14,13 +14,13 @@
 namespace ergodome {
 
 //! Range of the disparities of a frame: the distance, in pixels and in arcminutes, by which a thing
-//! is farther to the right in the right eye's image than in the left eye's. Negative values are
-//! nearer than the convergence distance, in front of the screen.
+//! is farther to the right in the right eye's image than in the left eye's. It is negative for
+//! things nearer than the convergence distance, which appear in front of the screen.
 struct Disparity {
   double min_px = 0.0;
   double max_px = 0.0;
-  //! Minimum of the disparity, for a viewer in the middle of the dome, or at the position from
-  //! which a flat screen spans the view's angles.
+  //! Minimum and maximum of the disparity, for a viewer in the middle of the dome, or at the
+  //! position from which a flat screen spans the view's angles.
   double min_arcmin = 0.0;
   double max_arcmin = 0.0;
 

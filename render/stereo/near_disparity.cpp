@@ -124,8 +124,8 @@ RankedObject ranked(const PlacedOutline& object, const Vector3<double>& from) {
   return it;
 }
 
-//! Returns the nearest objects that have any points. Objects that are farther away are not
-//! measured.
+//! Returns the sixteen nearest of the objects that have any points, nearest first. Disparities of
+//! other objects are not measured.
 std::vector<RankedObject> nearest_objects(std::span<const PlacedOutline> objects, const Vector3<double>& from) {
   constexpr std::size_t maximum = 16;
   std::vector<RankedObject> nearest;

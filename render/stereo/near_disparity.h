@@ -49,8 +49,8 @@ void visit_many(const Projection& projection, Visit&& visit) {
 //! in all directions, because they hide the sky.
 enum class DisparityOf : std::uint8_t { sky, disk_and_shells };
 
-//! A direction across an image, in the view's axes, and the points of disk and shells that the head
-//! sees there.
+//! One of the sampled directions of an image, in the view's axes, and the points of disk and shells
+//! that the head sees in it.
 struct SeenDirection {
   Vector3<double> view;
   DisparityOf disparity_of;

@@ -26,8 +26,8 @@ template <NearParts Parts>
 using StepWith = PathStep<near_order, Parts, double>;
 using Step = StepWith<NearParts::azimuth_and_distance>;
 
-//! Traces light backwards from a direction of a head's view, as long as it may be between two
-//! radii, or until visit(step) returns true.
+//! Traces light backwards from a direction of a head's view until it can no longer come between two
+//! radii, or visit(step) returns true. Calls `visit` for each step that may be between them.
 template <NearParts Parts, class Visit>
 void follow_until(const EyeCamera& head, const Vector3<double>& view, const RadialBounds& bounds, Visit&& visit) {
   const CameraStation camera = station_of(head);
@@ -41,8 +41,8 @@ void follow_until(const EyeCamera& head, const Vector3<double>& view, const Radi
                                  [&](int, const StepWith<Parts>& step) { return visit(step); });
 }
 
-//! Traces light backwards until it ends or leaves the range of radii, and calls visit(step) for
-//! each step.
+//! Traces light backwards until it can no longer come between two radii, and calls visit(step) for
+//! each step that may be between them.
 template <class Visit>
 void follow(const EyeCamera& head, const Vector3<double>& view, const RadialBounds& bounds, Visit&& visit) {
   follow_until<NearParts::azimuth_and_distance>(head, view, bounds, [&](const Step& step) {

@@ -16,7 +16,7 @@ struct NearSight {
   Vector3<double> position;  //!< pseudo-Cartesian [M]
   double distance;           //!< affine distance from the head [M]
   bool first;                //!< true at the path's first crossing of the shell or disk's plane
-  bool opaque;               //!< true if the disk or shell is almost opaque at this point
+  bool opaque;               //!< true if the opacity of the disk, or of the shell's filling, exceeds 0.9
 };
 
 //! Returns the points of a show's disk and shells that a head sees in a direction of its view,

@@ -38,8 +38,8 @@ Projection StereoEye::image(const Projection& projection) const {
 }
 
 std::optional<Vector3<double>> StereoEye::sees(const SeenThing& thing) const {
-  // Iterates, because an ODS eye's position depends on the view direction, which depends (only
-  // weakly) on the position.
+  // Iterates, because an ODS eye's position depends on the direction in which it looks, and the
+  // direction in which it sees the thing depends, weakly, on its position.
   const int rounds = eye_cameras(show_.stereo.model) == EyeCameras::per_direction ? 6 : 1;
   constexpr double near_enough = 1e-5;
   Vector3<double> view = {0.0, 0.0, -1.0};

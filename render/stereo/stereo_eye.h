@@ -34,7 +34,7 @@ class StereoEye {
 
   //! Returns the direction in which the eye's image shows a thing, by light on the short way round
   //! the hole. Returns nothing if no such light is found, or if the eye or the thing is within 2 M
-  //! of the hole.
+  //! of the hole's center.
   [[nodiscard]] std::optional<Vector3<double>> sees(const SeenThing& thing) const;
 
  private:
@@ -52,7 +52,7 @@ struct SeenPosition {
 
 //! Returns the direction in which an eye sees a thing, and the point where the light left it.
 //! Returns nothing if no light on the short way round the hole is found, or if the eye or the thing
-//! is within 2 M of the hole.
+//! is within 2 M of the hole's center.
 std::optional<SeenPosition> seen_by_camera(const EyeCamera& eye, const SeenThing& thing);
 
 //! Returns the approximate direction of a point, as if light traveled straight.

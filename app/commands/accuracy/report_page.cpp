@@ -114,8 +114,8 @@ std::string colour_bar(bool light) {
       stops, light ? "0.001 %" : "0.0001 px", light ? "100 %" : "10 px");
 }
 
-//! Returns the numbered legend of an axis in HTML: an explanation of each method, in its color in
-//! the plots.
+//! Returns the numbered legend of an axis in HTML: for each series, its number in the color of its
+//! line in the plots, its name, and an explanation of its method.
 std::string legend_text(const AccuracyAxis& axis) {
   std::string text;
   std::vector<std::string> explained;

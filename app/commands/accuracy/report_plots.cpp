@@ -63,8 +63,8 @@ std::string points_of(const AccuracyAxis& axis, FrameCost cost, const std::vecto
   return text;
 }
 
-//! Returns gnuplot's point type of a series: a triangle for double precision, otherwise a disk, or
-//! for published methods a square; hollow for published methods.
+//! Returns gnuplot's point type of a series. Double precision: a triangle. Otherwise: a square for
+//! published methods, a disk for others. The points of published methods are hollow.
 int point_of(const ReportSeries& series) {
   const bool wide = series.choices.front()->precision == "double";
   return series.published ? (wide ? 8 : 4) : (wide ? 9 : 7);
@@ -119,7 +119,8 @@ int run_gnuplot(const std::filesystem::path& script, const std::filesystem::path
   int status = 0;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
-  // Status 127 also means that gnuplot is missing: a shell that should start it reports this so.
+  // Status 127 also means that gnuplot is missing: a shell script that starts it would exit with
+  // this status.
   return WIFEXITED(status) ? (WEXITSTATUS(status) == 127 ? -1 : WEXITSTATUS(status)) : 1;
 }
 

@@ -98,7 +98,8 @@ std::string cost_sentence(const AccuracyAxis& axis) {
   return text;
 }
 
-//! Returns the median and 99 % error of a choice, and its frame time, as a sentence.
+//! Returns the median and 99 % error of a choice, its frame time, and the share of missing samples,
+//! if any, as a sentence.
 std::string choice_sentence(const AccuracyAxis& axis, const Measurement& choice) {
   std::string text = fmt::format(
       "{} ({}{}): the error is at most {} in half of the samples and at most {} in 99 %; {} ms {}", choice.method,
@@ -113,7 +114,7 @@ std::string choice_sentence(const AccuracyAxis& axis, const Measurement& choice)
 
 //! Compares a published method with the base method at equal error: "quadtree, spline (the method
 //! of VE) takes 4.2 times as long as taylor for errors of at most ...". Empty if the method is not
-//! a published one, or if it never reaches the error.
+//! a published one, if it never reaches the error, or if there is no ratio of times.
 std::string published_sentence(const AccuracyAxis& axis, const EqualErrorRow& row, const NamedError& error) {
   const Measurement* const any = row.choice;
   if (any == nullptr || any->published.empty() || row.ratio.runs == 0) {

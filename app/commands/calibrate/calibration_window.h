@@ -49,8 +49,8 @@ class CalibrationWindow {
   void report_refusal(const std::string& problem);
   //! Shows the changes that keys have made since the last call.
   void renew();
-  //! Computes one of the coarse masks that the window started with at full resolution, and shows
-  //! it. Returns false if none is left.
+  //! Replaces one of the coarse masks, with which the window started, by one of full resolution,
+  //! and shows it. Returns false if no coarse mask is left.
   bool refine();
   void renew_master();
   bool renew_projectors();

@@ -129,7 +129,7 @@ Renewal LiveCalibration::choose(CalibrationAction action) {
     case CalibrationAction::choose_bottom_left:
       return choose_corner(false, true);
     case CalibrationAction::choose_gain:
-      // Pressing the key again selects the next color channel alone.
+      // Pressing the key again selects red, green or blue alone, and after blue all colors again.
       gain_color_ = adjustable_ != Adjustable::gain || gain_color_ == 2 ? all_colors : gain_color_ + 1;
       adjustable_ = Adjustable::gain;
       break;
@@ -160,7 +160,7 @@ Renewal LiveCalibration::choose_corner(bool right, bool bottom) {
 
 Renewal LiveCalibration::step_point(int by) {
   const int count = static_cast<int>(offsets_[projector_].right.size());
-  // The first press only selects the grid.
+  // If another quantity was selected, this press only selects the current point of the grid.
   const int step = adjustable_ == Adjustable::point ? by : 0;
   adjustable_ = Adjustable::point;
   point_ = static_cast<std::size_t>((static_cast<int>(point_) + step + count) % count);
@@ -172,7 +172,8 @@ Renewal LiveCalibration::refine_grid() {
   const auto* const now = std::ranges::find(GridOffsets::sizes, grid.points);
   const bool finest = std::next(now) == GridOffsets::sizes.end();
   const GridOffsets coarse = grid.resized(GridOffsets::sizes.front());
-  // From the finest grid, returns to the corners unless that would lose offsets.
+  // From the finest grid, returns to the coarsest one, which has points only at the corners, unless
+  // that would lose offsets.
   if (finest && !(grid.none() || coarse.resized(grid.points) == grid)) {
     return Renewal::nothing;
   }

@@ -94,7 +94,7 @@ class LiveCalibration {
   static constexpr int all_colors = -1;
 
   //! Steps to the right (left and right arrow), up (up and down arrow) and upwards (page up and
-  //! page down, which only raise the viewer); each -1, 0 or 1.
+  //! page down, which only raise or lower the viewer); each -1, 0 or 1.
   struct Way {
     int right = 0;
     int up = 0;
@@ -118,7 +118,7 @@ class LiveCalibration {
   DomeSetup saved_;
   std::vector<GridOffsets> offsets_;
   std::size_t point_ = 0;        //!< index in the projector's grid, row by row
-  int gain_color_ = all_colors;  //!< 0 red, 1 green, 2 blue
+  int gain_color_ = all_colors;  //!< 0 red, 1 green, 2 blue, or all_colors
   int patterns_;
   std::size_t projector_ = 0;
   int pattern_ = 0;

@@ -203,7 +203,7 @@ nlohmann::json summary_of(const EnvironmentImage& image) {
 }
 
 //! Builds the lens grid for a picture of the show at a time, at the show's budget and size. Stores
-//! these in `settings`, and counts in `statistics`.
+//! the budget, the angle of a pixel and the observer in `settings`, and counts in `statistics`.
 LensStation grid_of(const Show& show, double time_s, GridSettings& settings, GridStatistics& statistics) {
   const EyeCamera eye = eye_camera(show_at(show, time_s), camera_pose(show, time_s), 0.0);
   settings.pixel = pixel_angle(make_projection(show.view, show.view.size_px, 0.0));

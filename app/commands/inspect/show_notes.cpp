@@ -210,7 +210,7 @@ ShowNotes notes_of_files(const Show& show) {
       notes.unusable["sky.stars"] = problem.what();
     }
   }
-  // A file that is used several times is read once.
+  // A file that several keys of the same kind name is read once.
   std::map<std::string, std::string> known;
   for (const NamedFile& file : files_of_show(show)) {
     if (!is_there(show, file.name)) {

@@ -31,11 +31,13 @@ nlohmann::json summary_of_meshes(const Show& show, const std::vector<MeshSummary
 
 void print_meshes(const nlohmann::json& summary);
 
-//! Findings of `inspect` about the files that a show names.
+//! Findings of `inspect` about the files that a show names, and about what its pictures cannot
+//! show.
 struct ShowNotes {
   //! Why existing files cannot be used, by their key ("sky.map").
   std::map<std::string, std::string> unusable;
-  //! Sentences about things that will be invisible (ShowRenderer::notes()).
+  //! Sentences about things that will be invisible (ShowRenderer::notes()), and about eyes whose
+  //! pictures differ too much.
   std::vector<std::string> unseen;
   //! Sentences about maps with invalid light values (ShowRenderer::notes()).
   std::vector<std::string> repaired;
@@ -45,8 +47,9 @@ struct ShowNotes {
   std::vector<MeshSummary> meshes;    //!< meshes of files that could be read
 };
 
-//! Reads every existing file that the show names, including textures of meshes, as its frames do. A
-//! map of 8192 x 4096 takes about a second.
+//! Reads every existing file that the show names, including textures of meshes, as its frames do,
+//! and checks objects, captions and the eyes' convergence. A map of 8192 x 4096 takes about a
+//! second.
 ShowNotes notes_of_files(const Show& show);
 
 //! Returns the number of stars in a show's catalogue, the columns read, and how many rows were left

@@ -15,8 +15,8 @@ nlohmann::json summary_of_unused_keys(const Show& show);
 //! Prints a list of unused keys; nothing if it is empty.
 void print_unused_keys(const nlohmann::json& lines);
 
-//! Returns where and when the baseline is first reduced, and where and when it is smallest, each
-//! with the baseline [M] that was asked for and the reduced one.
+//! Returns the show time and the radius at which the baseline is first reduced, and those at which
+//! it is smallest, each with the requested and the reduced baseline [M].
 inline nlohmann::json summary_of(const BaselineReductions& path) {
   const auto summary = [](double time_s, const ReducedBaseline& eyes) {
     return nlohmann::json{{"t_s", time_s}, {"r", eyes.r}, {"asked", eyes.asked}, {"baseline", eyes.baseline}};

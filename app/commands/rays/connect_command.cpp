@@ -39,7 +39,7 @@ struct Answer {
 };
 
 std::vector<Answer> connect_in_closed_form(const std::vector<PairRow>& rows) {
-  // About a second of work, between checks for progress and Ctrl-C.
+  // Number of pairs to connect, in about a second, between checks for progress and Ctrl-C.
   constexpr std::size_t run = 100'000;
   std::vector<Answer> answers(rows.size());
   Progress progress("connecting", static_cast<long>(std::max<std::size_t>(rows.size(), 1)));

@@ -37,7 +37,8 @@ void append_points(const CameraStation& camera, const ShadowChart& chart, const 
 void run_edge(const EdgeOptions& options) {
   std::vector<RayRow> rows = read_ray_table(options.rays);
   if (options.points > 0) {
-    // Points belong to cameras, so rows are grouped by camera.
+    // Points of the edge depend only on the camera. Rows are grouped by camera, so that each
+    // camera's points are written once.
     rows = grouped_by_camera(std::move(rows)).rows;
   }
   std::string text = options.points > 0 ? "id,point,n_r,n_theta,n_phi\n" : "id,edge_distance\n";

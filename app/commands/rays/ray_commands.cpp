@@ -119,8 +119,8 @@ void append_rays(const std::vector<RayRow>& rows, std::size_t begin, const Batch
 }
 
 //! Returns the default tolerance of a method: the smallest that it reaches in float or double. For
-//! the published tracer it is that tracer's own value (`rk34_step(0.01, ...)`), because smaller
-//! ones take far too many steps.
+//! `baseline_rk34`, the published tracer's own value (`rk34_step(0.01, ...)`), because smaller ones
+//! take far too many steps.
 double usual_tolerance(const std::string& method, bool in_float) {
   if (method == "baseline_rk34") {
     return 0.01;

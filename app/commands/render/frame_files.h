@@ -62,8 +62,8 @@ class FrameFiles : public Output {
   //! same fingerprints.
   void write_metadata(int first, int last) const;
   //! Removes the files that this run wrote and that have not changed since. If frames with this
-  //! run's fingerprints remain, the metadata summary is rewritten for them, otherwise removed.
-  //! Returns the number of removed image files.
+  //! run's fingerprints remain, the metadata summary is rewritten for the first of them and those
+  //! adjacent to it, otherwise removed. Returns the number of removed image files.
   int remove();
 
   //! Returns the size of all files of the last frame written [bytes].

@@ -42,7 +42,8 @@ class FrameWriter {
   //! space of the run, and a warning if the disk has no room for the missing frames.
   [[nodiscard]] std::vector<std::string> run_notes(int next, int last);
   //! Returns a warning if the disk has no room for the missing frames of `first` to `last` even if
-  //! they compress well; otherwise an empty text. Renders nothing.
+  //! they compress to a tenth of their size (uncompressed EXR: not at all); otherwise an empty
+  //! text. Renders nothing.
   [[nodiscard]] std::string early_room_note(int first, int last) const;
   [[nodiscard]] std::optional<StreamStatistics> stream_statistics() const { return renderer_.stream_statistics(); }
 
@@ -67,7 +68,7 @@ class FrameWriter {
   int renewed_ = 0;
   RunFrameCost frame_cost_;           //!< cost of the last frame written
   bool reported_cost_ = false;        //!< whether the estimate was printed
-  std::uintmax_t largest_bytes_ = 0;  //!< size of the largest frame so far
+  std::uintmax_t largest_bytes_ = 0;  //!< largest size of a frame's files so far [bytes]
   int checked_space_after_ = 0;       //!< value of written_ at the last check of disk space
   bool reported_space_ = false;       //!< whether the warning about disk space was printed
 };

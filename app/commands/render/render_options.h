@@ -27,15 +27,17 @@ struct RenderOptions : ShowOverrides {
   bool delete_frames = false;  //!< deletes the frames after the film was checked
   std::string view = "sky";
   std::string view_range;  //!< range of a heat map's colors, "MIN:MAX"; empty: the default
-  std::string channels;    //!< channels to write instead of light, separated by commas; empty: none
+  //! Channels to write instead of pictures, separated by commas; empty: none.
+  std::string channels;
   std::string method;
   std::string setup;
-  std::string language;  //!< language tag of captions
+  std::string language;  //!< language tag of captions, readout, title and narration
   LensOptions lens;
   bool resume = false;
   std::string pattern;
   std::vector<std::string> budget;  //!< words of --budget
-  //! Number of times at which the budget is checked instead of writing frames; 0: none.
+  //! Number of show times at which the error is checked against the budget, instead of writing
+  //! frames; 0: none.
   int checked_moments = 0;
 };
 

@@ -45,9 +45,9 @@ struct MeasuredFrame {
 };
 
 //! Measures a frame, counted from 0: renders it, writes its files into a temporary folder, and
-//! removes them. Renders the previous frame first, because it prepares data that all frames share;
-//! if that takes at least `slow_s`, returns its cost instead. Throws Error if files cannot be
-//! written.
+//! removes them. Before it, measures the previous frame, if there is one, because the first frame
+//! rendered also prepares data that all frames share; if that takes at least `slow_s`, returns its
+//! cost instead. Throws Error if files cannot be written.
 MeasuredFrame measured_frame(ShowRenderer& renderer, const ViewChoice& choice, const FrameFormat& format, int frame,
                              double slow_s = slow_frame_s);
 

@@ -38,9 +38,9 @@ Metadata number_in(const Show& show, const char* path, double unchanging, FrameS
       {"first", value_in(frames.first)}, {"last", value_in(frames.last)}, {"least", minimum}, {"greatest", maximum}};
 }
 
-//! Returns the baseline in these frames [M], reduced where the show's does not fit. It is reduced
-//! only in stereo models other than `physical`; these are evaluated in at most a few hundred
-//! frames, because each evaluation may take as long as a lens.
+//! Returns the baseline in these frames [M], reduced where the show's does not fit. It is only
+//! reduced in stereo models other than `physical`. In those, it is evaluated in at most a few
+//! hundred frames, because each evaluation may take as long as a lens.
 Metadata baselines_in(const Show& show, FrameSpan frames) {
   if (fits_everywhere(show.stereo.model)) {
     return number_in(show, "stereo.baseline", show.stereo.baseline, frames);

@@ -81,9 +81,9 @@ constexpr SteerNames steering[] = {
     {&Steering::faster, "faster", "LeftShift pad.right_trigger", "move faster", "schneller bewegen"},
 };
 
-//! Multiplies a speed by a factor, limited to 1/16 to 16 times the normal speed; doubling 0 gives
-//! 1/16. A speed that a command has set outside these limits is not moved in the opposite
-//! direction.
+//! Multiplies a speed by a factor and keeps its sign. Limits its magnitude to 1/16 to 16 times the
+//! normal speed; doubling 0 gives 1/16. A speed that a command has set outside these limits is not
+//! moved in the opposite direction.
 double changed_speed(double speed, double factor) {
   constexpr double minimum = 1.0 / 16.0;
   constexpr double maximum = 16.0;

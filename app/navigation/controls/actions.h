@@ -90,7 +90,7 @@ struct SteerNames {
 std::span<const SteerNames> all_steering();
 
 //! Returns the transport command of an action. Returns nothing if the action does not concern the
-//! transport, or if the status is not enough to determine the command (captions).
+//! transport, and for `captions`, which the session switches itself.
 std::optional<TransportCommand> transport_command(KeyAction action, const PlayerStatus& status);
 
 }  // namespace ergodome

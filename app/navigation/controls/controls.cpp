@@ -19,8 +19,8 @@ unsigned modifiers_of(const std::set<int>& held_keys) {
   return held;
 }
 
-//! Returns whether a steering key is held, with exactly the modifiers that it is bound with. An
-//! additional Shift requests speed and is ignored.
+//! Returns whether a steering key is held together with exactly the modifiers of its binding. Shift
+//! may be held in addition, because it requests speed.
 bool steers(const Input& input, const std::set<int>& held_keys, unsigned modifiers) {
   if (!held_keys.contains(input.code)) {
     return false;
@@ -30,7 +30,8 @@ bool steers(const Input& input, const std::set<int>& held_keys, unsigned modifie
   return (others | shift_held) == (input.modifiers | shift_held) && (input.modifiers & ~others) == 0;
 }
 
-//! Returns the rate of a held binding, from -1 to 1.
+//! Returns the rate at which an input steers, from -1 to 1: 1 while a key or button is held, or the
+//! value of a controller's axis. Motions of the mouse and its wheel have no rate: 0.
 double rate_of(const Input& input, const std::set<int>& held_keys, unsigned modifiers, const MouseState& mouse,
                const PadState& pad) {
   switch (input.kind) {
@@ -47,7 +48,8 @@ double rate_of(const Input& input, const std::set<int>& held_keys, unsigned modi
   }
 }
 
-//! Returns the relative motion of a mouse: angles, or steps of its wheel.
+//! Returns the motion of the mouse along an axis as an angle [rad], or of its wheel in steps; 0 for
+//! other inputs.
 double amount_of(const Input& input, const MouseState& mouse) {
   switch (input.kind) {
     case Input::Kind::mouse_axis:

@@ -46,7 +46,8 @@ class Controls {
   //! Returns the actions of the controller buttons pressed between two states.
   [[nodiscard]] std::vector<KeyAction> pressed(const PadState& before, const PadState& now) const;
   //! Return the actions of a mouse button, counted from 0, and of a motion of the wheel, up if
-  //! positive: the bound action once for each whole step, at most 20 times.
+  //! positive: the bound action once for each whole step, at most 20 times. Fractions of a step are
+  //! dropped.
   [[nodiscard]] std::vector<KeyAction> mouse_pressed(int button) const;
   [[nodiscard]] std::vector<KeyAction> wheel_turned(double steps) const;
 

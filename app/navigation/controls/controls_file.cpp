@@ -161,7 +161,8 @@ Controls parse_controls(std::string_view text, const std::string& file) {
   }
   actions.refuse_unknown_keys();
   steer.refuse_unknown_keys();
-  // Inputs that the file binds are removed from default bindings of actions that it does not list.
+  // Inputs that the file binds are removed from all default bindings. Actions and steering that the
+  // file lists then get exactly the inputs listed there.
   const auto taken = [&](const Input& input, bool steers) {
     return std::ranges::any_of(uses, [&](const Use& use) { return clash({input, {}, steers}, use); });
   };

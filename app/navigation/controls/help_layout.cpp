@@ -135,7 +135,7 @@ std::string in_columns(const std::string& list, int columns) {
 
 FittedText fit_list(const std::string& list, const TextSize& window, int usual_px, const MeasureText& measure) {
   FittedText fitted = {in_columns(list, 2), min_px};
-  // Bisects for the largest size that fits.
+  // Bisects for the largest letter height at which the text fits the window.
   for (int too_large = usual_px + 1; too_large - fitted.letter_px > 1;) {
     const int between = (fitted.letter_px + too_large) / 2;
     const TextSize size = measure(fitted.text, between);

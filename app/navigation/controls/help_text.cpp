@@ -159,7 +159,9 @@ class HelpLines {
     return text;
   }
 
-  //! Returns the subjects with their names, separated by empty lines.
+  //! Returns the lines of all subjects as cells separated by tabs: name of the subject, then its
+  //! lines; empty lines between subjects. Keys that do not fit in their cell continue on lines
+  //! below.
   [[nodiscard]] std::string in_cells() const {
     std::string text;
     for (const Group& group : groups_) {
@@ -199,7 +201,8 @@ void add_actions(HelpLines& lines, const Controls& controls, std::span<const Key
   lines.end();
 }
 
-//! Adds a row: one line, or one per action if one of them has no input.
+//! Adds a row: one line with its common description, or one line per action if it has none or if
+//! one of its actions has no input.
 void add_row(HelpLines& lines, const Controls& controls, const HelpRow& row) {
   const bool bound = std::ranges::all_of(
       row.actions, [&](KeyAction action) { return action == KeyAction::none || !controls.inputs_of(action).empty(); });

@@ -86,7 +86,8 @@ constexpr NamedKey special_keys[] = {
     {GLFW_KEY_MENU, "Menu", "Menu", "Menü"},
 };
 
-//! Names and labels of two manufacturers, in the order of PadButton.
+//! Names in files, and labels on the controllers of Microsoft and Sony ("A / Cross"), in the order
+//! of PadButton.
 constexpr std::array<NamedPart, pad_button_count> pad_buttons = {{
     {"south", "A / Cross", "A / Kreuz"},
     {"east", "B / Circle", "B / Kreis"},

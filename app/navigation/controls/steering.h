@@ -19,8 +19,8 @@ struct Steering {
 
 //! Steering input of a frame.
 struct SteeringInput {
-  Steering rates;    //!< keys and sticks: while they are held
-  Steering amounts;  //!< mouse: turns in radians, ways in distances, zoom in steps
+  Steering rates;    //!< from keys, buttons and sticks: rates, which apply while these are held
+  Steering amounts;  //!< motion of the mouse: rotations [rad], translations [distances], zoom in steps of the wheel
 };
 
 }  // namespace ergodome

@@ -28,7 +28,8 @@ class TriggerRest {
  public:
   explicit TriggerRest(const RawAxis& range) : minimum_(range.minimum), middle_(range.centre) {}
 
-  //! Takes a value and sets the range of the axis accordingly. Returns whether the range changed.
+  //! Takes a reported value, and sets rest position and minimum of the axis to where the trigger
+  //! rests. Returns whether they changed.
   bool take(std::int32_t value, RawAxis& axis) {
     // Rest positions may deviate from the middle by an eighth of the whole range.
     const std::int64_t below = std::int64_t{middle_} - value;

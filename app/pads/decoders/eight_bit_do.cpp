@@ -8,7 +8,7 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t old_length = 9;
-//! Of a report of the new layout: up to the battery level.
+//! Minimum length of a report of the new layout: up to the battery level.
 constexpr std::size_t min_new_length = 15;
 constexpr std::size_t max_new_length = 64;
 

@@ -54,8 +54,8 @@ bool has_application(const HidLayout& hid, std::uint16_t usage) {
          hid.applications.end();
 }
 
-//! Returns whether the triggers are a car's pedals, as Android requires of game pads; these also
-//! use its order of buttons.
+//! Returns whether a game pad reports its triggers as a car's pedals, as Android requires. The
+//! buttons of such pads are in Android's order too.
 bool has_pedals(const HidLayout& hid) {
   constexpr HidUsage accelerator = {0x02, 0xC4};
   return has_application(hid, game_pad) &&

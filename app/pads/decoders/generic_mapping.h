@@ -8,8 +8,8 @@
 
 namespace ergodome {
 
-//! Returns whether any application collection of a HID device is a joystick (usage 1:4), a game pad
-//! (1:5) or a multi-axis controller (1:8).
+//! Return whether any application collection of a HID device, or this usage, is a joystick (usage
+//! 1:4), a game pad (1:5) or a multi-axis controller (1:8).
 bool has_pad(const HidLayout& hid);
 bool is_pad_usage(const HidUsage& usage);
 

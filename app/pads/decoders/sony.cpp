@@ -19,7 +19,8 @@ class SonyPad : public PadDecoder {
   [[nodiscard]] double silent_after_s() const override { return streams_ ? 1.0 : 0.0; }
 
  protected:
-  //! Records that full reports arrive, which the controller sends continuously.
+  //! Records that full reports arrive. The controller sends these continuously, so from now on
+  //! silence means that it is gone.
   void note_stream() { streams_ = true; }
 
   //! Returns the request for a feature report over Bluetooth. Reading it makes the controller send
@@ -101,7 +102,8 @@ class DualShock4 : public SonyPad {
     return take(report.subspan(3), pad);
   }
 
-  //! Requests the calibration.
+  //! Requests the calibration, because reading it switches the controller to full reports over
+  //! Bluetooth.
   [[nodiscard]] std::vector<PadRequest> mode_switch() const override { return request(0x05, 41); }
 
  private:
@@ -134,7 +136,8 @@ class DualSense : public SonyPad {
     return PadReport::refused;
   }
 
-  //! Requests the pairing information.
+  //! Requests the pairing information, because reading it switches the controller to full reports
+  //! over Bluetooth.
   [[nodiscard]] std::vector<PadRequest> mode_switch() const override { return request(0x09, 20); }
 
  private:

@@ -43,8 +43,8 @@ void set_range(RawAxis& axis, std::int32_t centre, std::int32_t above, std::int3
 class SwitchPro : public PadDecoder {
  public:
   explicit SwitchPro(HidBus bus) : bus_(bus) {
-    // Sticks use about 3/4 of their 12 bits; the controller's calibration has the exact range. Full
-    // reports count up, not down.
+    // Sticks use about 3/4 of their 12 bits; the controller's calibration has the exact range. In
+    // full reports, y of both sticks increases upward.
     layout_.axes = stick_axes(548, 2048, 3548);
     layout_.axes[1].inverted = false;
     layout_.axes[3].inverted = false;
@@ -108,7 +108,7 @@ class SwitchPro : public PadDecoder {
     return padded(std::move(bytes));
   }
 
-  //! Centers the axes that belong to the other kind of report.
+  //! Centers the four axes from `first` on, which belong to the other kind of report.
   void rest(RawPad& pad, std::size_t first) const {
     for (std::size_t i = first; i < first + 4; ++i) {
       pad.values[i] = layout_.axes[i].centre;

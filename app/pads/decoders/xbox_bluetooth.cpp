@@ -75,7 +75,7 @@ class XboxBluetooth : public PadDecoder {
   }
 
   bool shares_;
-  bool guide_ = false;  //!< older firmware reports it separately
+  bool guide_ = false;  //!< whether the guide button is held, which older firmware reports separately
   RawLayout layout_;
 };
 

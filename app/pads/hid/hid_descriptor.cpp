@@ -15,7 +15,7 @@ constexpr std::size_t longest_descriptor = 4096;
 constexpr std::uint32_t longest_report_bits = 65'536U * 8U;
 constexpr std::uint32_t widest_field = 32;
 constexpr std::size_t deepest = 32;
-//! Limit per input item; a range of usages may name 65,536.
+//! Maximum number of fields that one input item may add; a range of usages may name 65,536.
 constexpr std::uint32_t max_fields_of_item = 256;
 constexpr std::size_t max_fields = 2048;
 
@@ -45,14 +45,15 @@ constexpr unsigned is_variable = 0x02;
 constexpr unsigned is_relative = 0x04;
 
 struct UsageRange {
-  std::uint32_t first = 0;  //!< page and number
+  std::uint32_t first = 0;  //!< usage: page in the upper 16 bits, number in the lower
   std::uint32_t last = 0;
-  bool has_own_page = false;  //!< its items contain the page; later usage pages do not apply
+  //! The descriptor gives page and number together; pages that it sets later do not apply.
+  bool has_own_page = false;
 };
 
 struct Globals {
   std::uint16_t page = 0;
-  std::uint32_t min_bits = 0;  //!< as stored in the descriptor
+  std::uint32_t min_bits = 0;  //!< logical minimum as stored in the descriptor, without sign extension
   std::size_t min_size = 0;
   std::uint32_t max_bits = 0;
   std::size_t max_size = 0;

@@ -7,8 +7,8 @@
 
 namespace ergodome {
 
-//! A device during playback. Times are the clock's. In a repeated timeline, indices of events
-//! continue from one repetition to the next.
+//! A device during playback. Times are in seconds of the player's clock. In a repeated timeline,
+//! indices of events continue from one repetition to the next.
 struct FixturePlayer::Playing {
   FixtureDevice device;
   std::function<double()> now_s;
@@ -27,7 +27,7 @@ struct FixturePlayer::Playing {
     return device.timeline.empty() || (device.repeat_s <= 0.0 && index >= device.timeline.size());
   }
 
-  //! Returns the first event at or after a time.
+  //! Returns the index of the first event at or after a time.
   [[nodiscard]] std::size_t first_from(double t_s) const {
     const std::size_t round = device.repeat_s > 0.0 && t_s > 0.0 ? static_cast<std::size_t>(t_s / device.repeat_s) : 0;
     std::size_t index = round * device.timeline.size();

@@ -39,7 +39,7 @@ struct ShowInstant {
   std::int64_t pass = 0;   //!< loop restarts since the last jump, negative if played backward
   double speed = 0.0;      //!< show seconds per second; 0: paused
   bool playing = false;
-  long jumps = 0;  //!< number of times that the time was set
+  long jumps = 0;  //!< number of jumps of the show time: seeks, restarts at an end, other versions of the show
 };
 
 //! The time of a show.
@@ -107,7 +107,7 @@ class ShowClock {
 
   long dropped_frames_ = 0;
   long shown_jumps_ = -1;
-  std::int64_t shown_index_ = 0;  //!< frames since the last jump, over all passes
+  std::int64_t shown_index_ = 0;  //!< frame shown last, plus the frames of the passes since the last jump
 };
 
 }  // namespace ergodome

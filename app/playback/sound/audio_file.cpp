@@ -90,7 +90,7 @@ bool Mp3File::open_handle(const std::filesystem::path& path) {
       mpg123_getformat(handle, &rate, &channels_, &encoding) != MPG123_OK) {
     return false;
   }
-  // The format of the first frame applies to the whole file.
+  // Decodes the whole file with the sample rate and the number of channels of its first frame.
   mpg123_format_none(handle);
   if (mpg123_format(handle, rate, channels_ == 1 ? MPG123_MONO : MPG123_STEREO, MPG123_ENC_FLOAT_32) != MPG123_OK ||
       mpg123_scan(handle) != MPG123_OK) {

@@ -98,7 +98,8 @@ void AudioMixer::play(Voice& voice, const AudioCue& cue, bool jumped) {
   }
   // During the run-up the file is silent, so its gain is already that of its first sound.
   const double gain = track_gain(track, length_s, soundtrack_.duration_s, std::max(now_s, track.from_s));
-  // Difference of integer nanoseconds, so that it is exact after any running time.
+  // The position in the file is a difference of integer nanoseconds, so it is exact after any
+  // running time.
   const ShowTime position = instant.time - show_time(track.from_s) - show_time(later_s_ * speed);
   voice.heard = true;
   if (!voice.sound->play({seconds_of(position), speed, gain, instant.now, jumped}, output_.latency_s())) {

@@ -39,7 +39,7 @@ class AudioVoice {
  public:
   //! Requested sound at a time of the time source.
   struct Wish {
-    double position_s = 0.0;  //!< position in the file; negative: starts that much later
+    double position_s = 0.0;  //!< position in the file; negative: silence for that long, then its start
     double speed = 1.0;       //!< 0.5 to 2
     double gain = 1.0;
     MonotonicTime at{};   //!< time at which the requested position is valid

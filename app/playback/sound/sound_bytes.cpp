@@ -33,8 +33,8 @@ std::uint32_t word_at(std::string_view bytes, std::size_t position, ByteOrder or
   return value;
 }
 
-//! Returns the end of the chunk of samples; 0 if there is none, or if its size was unknown when it
-//! was written.
+//! Returns the byte position in the file at which the chunk of samples ends; 0 if there is none, or
+//! if its size was unknown when it was written.
 std::uint64_t end_of_chunk(std::istream& file, std::string_view samples, ByteOrder order) {
   // Programs that write to a pipe store the largest size, or one slightly below 2 GiB.
   constexpr std::uint32_t unknown = 0x7FFFF000;
@@ -68,8 +68,8 @@ std::uint64_t long_at(std::string_view bytes, std::size_t position, ByteOrder or
   return order == ByteOrder::big ? first << 32U | second : second << 32U | first;
 }
 
-//! Returns the end of the samples of an AU file, from the position and size in its header; 0 if the
-//! size is unknown.
+//! Returns the byte position at which the samples of an AU file end, from the position and size in
+//! its header; 0 if the size is unknown.
 std::uint64_t end_of_au(std::istream& file, ByteOrder order) {
   constexpr std::uint32_t unknown = 0xFFFFFFFF;
   const std::string head = bytes_at(file, 0, 12);
@@ -77,9 +77,9 @@ std::uint64_t end_of_au(std::istream& file, ByteOrder order) {
   return size == unknown ? 0 : std::uint64_t{word_at(head, 4, order)} + size;
 }
 
-//! Returns the end of the chunk of samples of a Wave64 file; 0 if there is none or its size is
-//! unknown. Chunks have 16-byte names, which start with the four bytes of WAV, and sizes that
-//! include their headers; they start at multiples of eight.
+//! Returns the byte position at which the chunk of samples of a Wave64 file ends; 0 if there is
+//! none or its size is unknown. Chunks have 16-byte names, which start with the four bytes of WAV,
+//! and sizes that include their headers; they start at multiples of eight.
 std::uint64_t end_of_wave64(std::istream& file) {
   constexpr std::uint64_t head_bytes = 24;
   constexpr std::uint64_t max_bytes = std::uint64_t{1} << 50U;
@@ -111,7 +111,8 @@ std::uint64_t tag_bytes(std::string_view head) {
   return size + 10;
 }
 
-//! Returns the end of an MP3 stream according to the Xing header in its first frame; 0 without one.
+//! Returns the minimum byte position at which an MP3 stream ends, according to the Xing header in
+//! its first frame; 0 without that header.
 std::uint64_t end_of_mp3(std::istream& file) {
   const std::uint64_t start = tag_bytes(bytes_at(file, 0, 10));
   const std::string frame = bytes_at(file, start, 64);

@@ -6,7 +6,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns the options of the window, which is smaller beside those of projectors.
+//! Returns the options of the control window with a smaller limit of its initial size, so that it
+//! fits beside the projectors' windows.
 WindowOptions beside_projectors(WindowOptions window) {
   window.largest = {700, 700};
   return window;

@@ -52,7 +52,7 @@ std::optional<RecordedFall> add_fall(const std::vector<FallMoment>& moments, Sho
     return std::nullopt;
   }
   const auto key_of = [&](double time_s, const CameraPose& pose) {
-    // The keys of a fall are relative to a frame carried along with it.
+    // During a fall, keys give the orientation relative to a frame that is carried along the orbit.
     CameraPose relative = {fall->start.r, fall->start.theta, fall->start.phi, {}};
     relative.orientation = glm::normalize(glm::conjugate(show.camera.orbit->at(time_s).frame) * pose.orientation);
     return key_at(time_s, relative);
@@ -73,11 +73,11 @@ std::optional<RecordedFall> add_fall(const std::vector<FallMoment>& moments, Sho
   return fall;
 }
 
-//! The samples of a flight that fall through the horizon: from `begin`, where the observer follows
-//! that orbit, to before `end`.
+//! The samples of a flight that fall through the horizon, [begin, end): all on one orbit around the
+//! same hole.
 struct FallingPart {
   std::size_t begin;
-  std::size_t beyond;  //!< the first that is beyond return
+  std::size_t beyond;  //!< first sample that is beyond return, see is_beyond_return()
   std::size_t end;
 };
 
@@ -91,8 +91,8 @@ bool is_one_fall(const FlightSample& before, const FlightSample& after) {
          falls_on(before.spacetime, moment_of(before), moment_of(after));
 }
 
-//! Returns the falling part of a flight. All three members are the number of samples if none is
-//! beyond return.
+//! Returns the samples of the fall to which the first sample beyond return belongs. All three
+//! members are the number of samples if none is beyond return.
 FallingPart falling_part(const std::vector<FlightSample>& samples) {
   const auto at = static_cast<std::size_t>(std::ranges::find_if(samples, is_beyond) - samples.begin());
   FallingPart part = {at, at, at};

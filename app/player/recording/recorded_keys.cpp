@@ -13,7 +13,8 @@ glm::dvec3 direction_of_pose(const CameraPose& pose) {
   return {std::sin(pose.theta) * std::cos(pose.phi), std::sin(pose.theta) * std::sin(pose.phi), std::cos(pose.theta)};
 }
 
-//! Returns the largest deviation of a path from a sample, in units of the tolerance.
+//! Returns the largest deviation of a path from a sample, in units of the tolerance. For a sample
+//! in a fall through the horizon, only the orientation counts.
 double deviation(const CameraPose& path, const CameraPose& note, const RecordTolerance& tolerance) {
   const double turned =
       2.0 * std::acos(std::min(1.0, std::abs(glm::dot(glm::normalize(path.orientation), note.orientation))));
@@ -40,7 +41,8 @@ CameraKey key_at(double time_s, const CameraPose& pose) {
   key.theta = pose.theta;
   key.phi = pose.phi;
   key.velocity = pose.velocity;
-  // Columns of yaw * pitch * roll, in the order of key_orientation().
+  // The matrix of the rotations by yaw, pitch and roll, multiplied as in key_orientation(): its
+  // columns are the view's axes (right, up, back), relative to looking at the hole.
   const glm::dmat3 m = glm::mat3_cast(glm::normalize(glm::inverse(key_orientation(CameraKey())) * pose.orientation));
   const glm::dvec3& back = m[2];
   const double sine = std::clamp(-back.y, -1.0, 1.0);

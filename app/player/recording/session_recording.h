@@ -21,7 +21,7 @@ class SessionRecording {
 
   //! Returns whether the flight is beyond return, so that it cannot continue around another hole.
   [[nodiscard]] bool is_bound_to_hole() const { return recorder_ && recorder_->beyond_return() && !ended_in_; }
-  //! Ends the recording, which is a show of this scene.
+  //! Ends the recording; recorded() then returns the flight as a show of this scene.
   void end(const Show& scene);
 
   //! Returns the recorded flight as a show in a scene; nothing if there is none.
@@ -36,7 +36,7 @@ class SessionRecording {
 
   std::optional<FlightRecorder> recorder_;
   std::optional<Show> ended_in_;          //!< the scene when a fall ended the recording
-  double proper_time_before_ride_ = 0.0;  //!< proper time of a fall before a ride continues it [M]
+  double proper_time_before_ride_ = 0.0;  //!< proper time of the path's fall when a ride takes it over [M]
 };
 
 }  // namespace ergodome

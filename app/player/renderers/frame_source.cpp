@@ -17,7 +17,8 @@ namespace ergodome {
 
 using Clock = std::chrono::steady_clock;
 
-//! State shared by the thread and its owner. The thread holds it too, so it may outlive the owner.
+//! State shared by the thread and its owner. The thread holds it too, so the state may outlive the
+//! owner.
 struct FrameSource::Worker {
   Render render;
   std::mutex mutex;
@@ -98,8 +99,9 @@ int caption_width_px(const ImageSize& window, StereoLayout layout, const Project
   return static_cast<int>(std::lround(std::clamp(std::max(across, along), 1.0, widest_px)));
 }
 
-//! Renders stereo for a window. Joining the eyes would copy both of them, so light is uploaded eye
-//! by eye. Color bars extend across both eyes, except if each eye fills the window.
+//! Renders the eyes for a window. In the view of the sky they stay separate pictures, because
+//! joining would copy both of them. The eyes of a heat map are joined and share a color bar, except
+//! if each eye fills the window.
 void show_eyes(ShowRenderer& renderer, const PlayerFrame& frame, const Projection& projection, const ShowMoment& moment,
                PictureAnswer& answer) {
   if (frame.mode != ViewMode::sky && !fills_window_by_eye(frame.stereo.layout)) {

@@ -33,7 +33,8 @@ struct PictureRequest {
   double patience_s = 0.02;
   bool errors_asked = false;
   std::uint64_t error_seed = 0;  //!< selects the pixels to measure
-  //! Requests the lit part of the view, with this time; absent: not requested.
+  //! Requests the lit part of the view; the value is the time of the request, which the answer
+  //! repeats. Absent: not requested.
   std::optional<double> light_asked_s;
 };
 

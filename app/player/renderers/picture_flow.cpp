@@ -95,7 +95,8 @@ PictureNews PictureFlow::receive() {
   if (!answer->problem.empty()) {
     return PictureNews::problem;
   }
-  // The picture at the current camera position is still to be shown.
+  // If this picture shows an earlier camera position, because the lens for the current one is not
+  // ready, the next picture is requested at once.
   pending_ = pending_ || answer->picture.behind;
   refining_ = true;
   // Time is proportional to the number of pixels. Takes a damped step toward the width that fits.

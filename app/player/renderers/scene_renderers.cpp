@@ -8,7 +8,8 @@ namespace ergodome {
 
 namespace {
 
-//! Time between attempts: what fails now may succeed later, but not in the next frame.
+//! Time between attempts to make a renderer: what fails now may succeed later, but not in the next
+//! frame.
 constexpr std::chrono::seconds patience{1};
 
 bool is_same_file(const Show& a, const Show& b) { return a.name == b.name && a.folder == b.folder; }
@@ -51,7 +52,7 @@ SceneRenderers::News SceneRenderers::advance(const Show& show) {
     return {};
   }
   RendererLoader::Order& order = loaded->order;
-  // Discards what was loaded for a scene that has ended.
+  // What was loaded for a scene that has ended is discarded.
   const bool own = is_same_file(order.show, show);
   std::optional<Show> version;
   if (own && order.version) {

@@ -26,7 +26,7 @@ class SceneRenderers {
   //! Makes a renderer for another version of the scene's show. The old one stays in use until it is
   //! ready.
   void renew(const Show& show) { loader_.load({show, true}); }
-  //! Returns whether such a version is being loaded.
+  //! Returns whether a version that renew() requested is being loaded.
   [[nodiscard]] bool renews() const { return loader_.loads_version(); }
 
   //! Discards the current renderer, which failed or hung, and starts to make another one, unless

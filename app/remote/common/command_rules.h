@@ -54,7 +54,7 @@ double checked_number(std::string_view location, double number, double minimum, 
 
 //! Limit of show times in both directions [s], which is the range of the show's clock.
 inline constexpr double max_show_time_s = 4e9;
-//! Maximum speed, forward and backward.
+//! Maximum factor of the playback speed, forward and backward.
 inline constexpr double max_speed = 100.0;
 
 }  // namespace ergodome

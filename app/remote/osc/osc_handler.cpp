@@ -143,8 +143,8 @@ double number_at(const OscMessage& message, std::size_t index, std::string_view 
 std::vector<OscDatagram> OscHandler::receive(std::span<const std::byte> packet, const NetAddress& from,
                                              const OscInstant& now) {
   std::vector<OscDatagram> answers;
-  // The sender of a packet may be forged, so an address never receives more bytes than it sent
-  // without subscribing.
+  // The sender of a packet may be forged. So the answers to an address that is not trusted are
+  // together at most as long as the packet.
   std::size_t bytes_left = subscribers_.is_trusted(from) ? std::numeric_limits<std::size_t>::max() : packet.size();
   const auto answer = [&](const NetAddress& to, const OscOutput& message) {
     std::vector<char> bytes = osc_packet({&message, 1});

@@ -116,8 +116,8 @@ std::size_t text_size(std::span<const std::byte> bytes, std::size_t at) {
 constexpr char colour = 'r';
 
 //! Returns the type tags of a message without the brackets of arrays, whose elements are stored
-//! consecutively. Replaces unsupported tags in the message: liblo rejects arrays and colors, which
-//! have four bytes.
+//! consecutively. In the message, removes these brackets and tags colors, which have four bytes, as
+//! integers: liblo rejects arrays and colors.
 std::string take_tags(std::vector<std::byte>& message) {
   const std::size_t start = text_size(message, 0);
   const std::size_t size = text_size(message, start);

@@ -58,7 +58,7 @@ WebAsker asker_of(const httplib::Request& request) {
   return asker;
 }
 
-//! Returns a pattern that matches only this path.
+//! Returns a regular expression that matches only this path.
 std::string pattern_of(std::string_view path) {
   std::string pattern;
   for (const char c : path) {

@@ -137,7 +137,7 @@ void check_mpcdi_region(const MpcdiRegion& region, MpcdiProfile profile, const X
   if (profile == MpcdiProfile::shader_lamps && !region.frame) {
     throw element.error("has no <coordinateFrame>", "profile sl needs one: export it again");
   }
-  // The angles of a fisheye are near 90° on all sides and have no meaning.
+  // With a fisheye lens, the angles of the frustum are near 90° on all sides and have no meaning.
   if (region.frustum && !region.fisheye) {
     check_frustum(*region.frustum, element);
   }

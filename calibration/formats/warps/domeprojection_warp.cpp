@@ -41,8 +41,8 @@ class DomeprojectionParser {
     WarpNode node;
   };
 
-  //! Returns true if a line is the first one and names the columns. Determines the separator from
-  //! the first line.
+  //! Returns true if a line is the first one and names the columns; throws Error if it names other
+  //! columns. Determines the separator from the first line.
   bool is_head(std::string_view line) {
     if (started_) {
       return false;

@@ -119,7 +119,7 @@ class SkyskanParser {
     }
     double high_deg = values_.at("vertical fov").value_or(0.0);
     if (!(high_deg > 0.0)) {
-      // Assumes a raster of 2048 x 1200.
+      // The file gives no vertical field of view: computes it for a raster of 2048 x 1200.
       high_deg = 2.0 * radian_deg * std::atan(1200.0 / 2048.0 * std::tan(0.5 * one_degree * across_deg));
     }
     const double across_tweak = values_.at("horizontal tweak").value_or(1.0);
@@ -133,7 +133,7 @@ class SkyskanParser {
   }
 
   void apply_tweaks() {
-    // A tweak of -1 or less counts as missing.
+    // Returns a factor of the texture coordinates; 1 if it is missing, or if it is -1 or less.
     const auto tweak = [this](const char* key) {
       const double value = values_.at(key).value_or(1.0);
       return static_cast<float>(value > -1.0 ? value : 1.0);

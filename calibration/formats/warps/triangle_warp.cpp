@@ -112,7 +112,8 @@ WarpMesh separate_cells(const std::vector<WarpNode>& nodes, const std::vector<Wa
   return mesh;
 }
 
-//! Distances on the raster from the first column to the last column, summed over all rows.
+//! Signed difference of the position on the raster from the first column to the last, summed over
+//! all rows in which both end nodes are drawn.
 struct Extent {
   double x = 0.0;
   double y = 0.0;

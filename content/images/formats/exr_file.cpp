@@ -134,7 +134,7 @@ std::string in_small_letters(std::string_view text) {
   return small;
 }
 
-//! Returns a channel's name after its last dot, in lower case.
+//! Returns the name of a channel or layer after its last dot, in lower case.
 std::string last_word(std::string_view name) {
   const std::size_t point = name.rfind('.');
   return in_small_letters(point == std::string_view::npos ? name : name.substr(point + 1));
@@ -150,8 +150,8 @@ bool is_channel(std::string_view name, std::string_view letter, std::string_view
   return last == letter || last == word;
 }
 
-//! Returns the layer whose first channel is channels[first]. If that is not a color, the result has
-//! no channels.
+//! Returns the layer that begins with channels[first]: red, green and blue in this order, or a
+//! luminance, and alpha if it follows. Otherwise the result has no channels.
 ExrLayer layer_at(const std::vector<std::string>& channels, std::size_t first) {
   const std::string layer_name = layer_of(channels[first]);
   const auto is = [&](std::size_t at, std::string_view letter, std::string_view word) {

@@ -33,7 +33,7 @@ struct ExrLayer {
 
 //! Returns the layers of a file that can be shown, in the file's order, of a stereo file only those
 //! of the first view. If several layers have plain channels (R, G, B), each gets the name of its
-//! part. A part with one channel of another name is a gray layer.
+//! part. A part whose only channel has another name is a gray layer.
 std::vector<ExrLayer> exr_layers(const std::vector<ExrPart>& parts);
 
 //! Returns the layer with a name, which is its last word or its full name in any case. For an empty

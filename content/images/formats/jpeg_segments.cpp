@@ -18,8 +18,8 @@ struct JpegSegment {
   std::string_view data;
 };
 
-//! Returns true for markers that no length follows: start, end, restarts, and 0, which follows a
-//! data byte of 255.
+//! Returns true for markers that no length follows: start, end, restarts, TEM (1), and 0, which
+//! follows a data byte of 255.
 bool stands_alone(unsigned marker) { return marker <= 0x01 || (marker >= 0xD0 && marker <= 0xD9); }
 
 //! Returns the first segment at or after position `at`, and moves `at` behind it. The marker is

@@ -75,8 +75,8 @@ bool skip(const NextBytes& next, std::size_t count, std::vector<char>& room) {
   return true;
 }
 
-//! Passes the type and data of each chunk before the pixels to `take`, without chunks longer than
-//! `longest`.
+//! Passes the type and data of each chunk before the pixels to `take`. Skips chunks with more than
+//! `longest` bytes of data.
 template <class Take>
 void for_each_chunk(const NextBytes& next, std::size_t longest, Take&& take) {
   constexpr std::size_t sum_bytes = 4;

@@ -12,7 +12,8 @@ namespace ergodome {
 struct RadianceHeader {
   //! Factors from the file's numbers to light: 1 / (product of all EXPOSURE and COLORCORR lines).
   std::array<float, 3> gains = {1.0F, 1.0F, 1.0F};
-  std::optional<std::array<double, 8>> primaries;  //!< xy of red, green, blue and white, if unusual
+  //! xy of red, green, blue and white, if they are unusual; of X, Y, Z and white if `is_xyz`.
+  std::optional<std::array<double, 8>> primaries;
   bool is_xyz = false;  //!< the pixels are CIE XYZ with a white of (1, 1, 1), as Radiance's ra_xyze writes them
   std::string problem;  //!< what cannot be shown correctly; empty if nothing
 };

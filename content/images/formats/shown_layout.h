@@ -2,10 +2,10 @@
 
 namespace ergodome {
 
-//! Position of a file's pixels in the image that is shown: in a window that they may leave partly
-//! empty or exceed, which is then turned.
+//! Position of a file's pixels in the image that is shown. They lie in a window, which they may
+//! leave partly empty or exceed. The window, rotated or mirrored by `orientation`, is the image.
 struct ShownLayout {
-  long data_left = 0;  //!< left edge of the file's pixels from the window's
+  long data_left = 0;  //!< left edge of the file's pixels, relative to that of the window
   long data_top = 0;
   int data_width = 0;
   int data_height = 0;

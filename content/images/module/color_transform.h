@@ -28,7 +28,8 @@ class ColorTransform {
   [[nodiscard]] bool is_linear() const { return is_linear_; }
 
   //! Converts the colors of `count` pixels with `channels` numbers each, in place. If `alpha` is a
-  //! channel (0 or more), divides the colors by it first. Uses all CPU threads.
+  //! channel (0 or more), divides the colors by it first, and does not multiply them again. Uses
+  //! all CPU threads for large images.
   void apply(float* pixels, std::size_t count, int channels, int alpha) const;
 
  private:

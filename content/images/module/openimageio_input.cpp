@@ -185,7 +185,7 @@ class Input final : public ImageInput {
     }
   }
 
-  //! Chooses the color conversion.
+  //! Chooses the color conversion. Leaves sRGB to the caller (ImageShape::encoded).
   void take_colors() {
     ColorMetadata metadata = color_metadata(*input_, is("png") ? bytes_.from_start() : NextBytes());
     metadata.primaries = radiance_.primaries ? radiance_.primaries : metadata.primaries;

@@ -46,7 +46,8 @@ std::vector<int> parents_of(const GltfFile& file) {
   return parents;
 }
 
-//! Returns the root nodes of the scene.
+//! Returns the root nodes of the default or first scene; in a file without scenes, all nodes
+//! without a parent.
 std::vector<int> roots_of(const GltfFile& file, const std::vector<int>& parents) {
   if (!file.model.scenes.empty()) {
     const std::vector<int>& named = file.at(file.model.scenes, std::max(file.model.defaultScene, 0), "scene").nodes;

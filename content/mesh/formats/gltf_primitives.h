@@ -15,7 +15,8 @@ struct GltfPlacement {
   const std::vector<double>* weights;  //!< weights of the morph targets; null: no morphing
 };
 
-//! Adds the triangles of a primitive to a mesh. Ignores points and lines.
+//! Adds the triangles of a primitive to a mesh, and remarks on what is drawn differently or not at
+//! all, such as points and lines.
 void add_gltf_primitive(const GltfFile& file, const tinygltf::Primitive& primitive, const GltfPlacement& placement,
                         MeshBuilder& builder);
 

@@ -43,7 +43,8 @@ void add_file(const fs::path& folder, std::string_view name, std::vector<fs::pat
   }
 }
 
-//! Returns the files named under "uri" in the JSON of a .gltf, or in the JSON chunk of a .glb.
+//! Returns the existing files in `folder`, or below it, that are named under "uri" in the JSON of a
+//! .gltf, or in the JSON chunk of a .glb.
 std::vector<fs::path> files_of_gltf(std::string_view text, const fs::path& folder) {
   constexpr std::string_view key = "\"uri\"";
   std::vector<fs::path> files;

@@ -49,7 +49,8 @@ class ObjMesh {
   MeshBuilder builder_;
   std::filesystem::path folder_;
   ObjStatements file_;
-  //! Sums of the face normals of each smoothing group at each vertex.
+  //! For each smoothing group at each vertex: the sum of face_normal(), which is weighted by area,
+  //! over its faces.
   std::unordered_map<std::uint64_t, Vector3<double>> sums_;
 };
 
@@ -137,8 +138,9 @@ const ObjMaterial* ObjMesh::material_of(int number) const {
   return found == file_.materials.end() ? nullptr : &found->second;
 }
 
-//! Returns the MeshPart for a material. If a material has black diffuse color but emits light, the
-//! part has the color of the emitted light, because surfaces of a show emit light.
+//! Returns the MeshPart for a material. If a material emits light and has a black diffuse color
+//! without an image, the part has the color and image of the emitted light, because surfaces of a
+//! show emit light.
 MeshPart ObjMesh::part_of(int number) {
   MeshPart part;
   const ObjMaterial* const material = material_of(number);

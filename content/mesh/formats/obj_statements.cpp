@@ -152,7 +152,7 @@ std::int64_t ObjStatementReader::take_index(std::string_view& word, std::size_t 
   if (!take_number(digits, number) || number != std::floor(number) || number == 0.0 || std::abs(number) > 1e9) {
     throw error("has a face whose vertex index is not a whole number", face_remedy);
   }
-  // Negative indices count back from the last vertex read so far.
+  // Negative indices count back from the last vertex, texture coordinate or normal read so far.
   const auto index = static_cast<std::int64_t>(number);
   constexpr std::int64_t before_the_first = -2;
   return index > 0 ? index - 1
@@ -216,8 +216,8 @@ int ObjStatementReader::material_number(std::string_view name) {
   return at->second;
 }
 
-//! Throws Error if the last line is a face with fewer than three corners: the file is truncated. A
-//! file truncated between faces is a smaller valid mesh.
+//! Throws Error if the text ends, without a line break, in a face with fewer than three corners:
+//! the file is truncated. A file truncated between faces is a smaller valid mesh.
 void ObjStatementReader::check_end(std::string_view text) const {
   const std::size_t line = text.find_last_of("\r\n");
   std::string_view last = line == std::string_view::npos ? text : text.substr(line + 1);

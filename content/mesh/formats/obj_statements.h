@@ -55,10 +55,11 @@ struct ObjStatements {
 inline constexpr std::size_t largest_obj_library_bytes = std::size_t{64} << 20U;
 inline constexpr const char* obj_library_remedy = "a material file is a short text file; check the path";
 
-//! Reads the statements of a file, and reserves their triangles in `builder`, which has the name of
-//! the file in messages. `folder` holds its material files; empty: none are read. All indices of
-//! faces exist, and the positions of their vertices are finite. Throws Error with the line if that
-//! is not so, and if a statement is malformed, the file is truncated in a face, or it is too large.
+//! Reads the statements of a file. Calls MeshBuilder::reserve() for their triangles; `builder` has
+//! the name of the file in messages. `folder` holds its material files; empty: none are read. All
+//! indices of faces exist, and the positions of their vertices are finite. Throws Error with the
+//! line if that is not so, and if a statement is malformed, the file is truncated in a face, or it
+//! is too large.
 ObjStatements read_obj_statements(std::string_view text, const std::filesystem::path& folder, MeshBuilder& builder);
 
 }  // namespace ergodome

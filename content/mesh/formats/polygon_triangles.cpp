@@ -83,7 +83,8 @@ std::vector<Triangle> ears_of(const std::vector<Point>& points) {
   std::size_t at = 0;
   std::size_t tried = 0;
   while (left.size() > 3) {
-    // A face in which no ear is found intersects itself or has no area; then cuts off any corner.
+    // A face in which no ear is found intersects itself or has no area. Then the current corner is
+    // cut off, whatever its shape.
     if (tried < left.size() && !is_ear(points, left, at)) {
       at = (at + 1) % left.size();
       ++tried;

@@ -28,8 +28,8 @@ constexpr auto unset_fades = [](const TomlTable& /*table*/, Presence& presence) 
 
 constexpr auto set_fades = [](const TomlTable& table, Presence& presence) {
   const double there_s = presence.to_s - presence.from_s;
-  // A fade without a duration lasts 0.5 s, but at most half of the whole time and what the other
-  // fade leaves.
+  // A fade without a duration lasts 0.5 s, but at most half of the time from from_s to to_s, and at
+  // most what the other fade leaves of it.
   const auto usual = [&](double other_s) {
     return std::clamp(there_s - other_s, 0.0, std::min(usual_fade_s, 0.5 * there_s));
   };

@@ -111,7 +111,7 @@ constexpr auto write_camera_keys = [](toml::table& table, const CameraSettings& 
 // read_camera() reads these tables in its own order, because they depend on the animated spin.
 constexpr auto read_later = [](TomlTable& /*table*/, CameraSettings& /*camera*/) {};
 
-//! Returns true if the show's observer would have to be faster than light there; never for
+//! Returns true if the show's observer would have to be faster than light at (r, θ); never for
 //! ObserverMotion::rain.
 bool outruns_light(const CameraSettings& camera, Spacetime spacetime, double r, double theta) {
   const Vector3<double> v = observer_velocity(camera.motion, spacetime, r, theta, camera.velocity);
@@ -183,8 +183,8 @@ void check_key(const TomlTable& table, Spacetime spacetime, const CameraSettings
   }
 }
 
-//! Throws Error if the observer would be faster than light at a show time. The error names the
-//! table of the key that the camera is moving to.
+//! Throws Error if the observer would be faster than light at a show time. The error names `table`,
+//! that of a camera key.
 void check_position(const TomlTable& table, const Show& show, double time_s) {
   const CameraPose pose = camera_pose(show, time_s);
   if (outruns_light(show.camera, spacetime_at(show, time_s), pose.r, pose.theta)) {
@@ -224,8 +224,9 @@ const CameraKey& key_before(const Show& show, std::size_t i) {
              : before;
 }
 
-//! Throws Error if the observer would be faster than light between two keys, while a key is held,
-//! or at a key of the animated spin. Skips falls, whose velocity is always below that of light.
+//! Throws Error if a static or orbiting observer would be faster than light at one of some sampled
+//! times between two camera keys, holds included, or at a key of the animated spin. Skips falls,
+//! and cameras whose keys have velocities, which are below that of light.
 void check_ways(const std::vector<const toml::table*>& tables, const std::string& file, const Show& show) {
   // Static observers are slower than light outside 2 M, orbiting ones outside 4 M, for any spin.
   constexpr double safe_r = 4.0;

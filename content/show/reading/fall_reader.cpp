@@ -74,7 +74,8 @@ void check_rest(const TomlTable& table, const Show& show, double begin_r) {
   }
 }
 
-//! Checks the beginning of a fall before its orbit is computed.
+//! Throws Error unless the fall begins at a camera key, before the show's end and slower than
+//! light, its least_r is allowed (check_rest()), and the spin is not animated.
 void check_beginning(const TomlTable& table, const Show& show) {
   const FallSettings& fall = *show.camera.fall;
   const auto key = std::ranges::find(show.camera.keys, fall.time_s, &CameraKey::time_s);

@@ -10,7 +10,7 @@ namespace ergodome {
 
 namespace {
 
-//! Words in show files for the values of ObserverMotion; the others have no word.
+//! Words in show files for the first values of ObserverMotion, in its order; the others have none.
 constexpr std::array motion_names = {"zamo", "static", "geodesic", "retrograde", "rain"};
 
 }  // namespace

@@ -58,7 +58,8 @@ void note_tables(const toml::array& tables, const std::string& path, const std::
   }
 }
 
-//! Records the line of each key of a table. Stops at a number of keys that no valid show has.
+//! Records the lines of the keys of a table, of the tables below it, and, if `path` is empty, of
+//! its arrays of tables. Stops at a number of keys that no valid show has.
 void note_lines(const toml::table& table, const std::string& path, const std::string& file,
                 std::map<std::string, int>& lines) {
   constexpr std::size_t max_lines = 100'000;

@@ -70,7 +70,7 @@ toml::table empty_table_of(const Setting& setting) {
   return std::move(*parsed["t"].as_table());
 }
 
-//! Parses `value = TEXT`; returns nothing unless that is a single key with a value.
+//! Parses `value = TEXT`; returns nothing unless TEXT is one valid TOML value in one line.
 std::optional<toml::table> parsed_value(const Setting& setting, const std::string& text) {
   const std::string line = "value = " + text;
   require_bounded_toml(line, setting.location);
@@ -82,7 +82,8 @@ std::optional<toml::table> parsed_value(const Setting& setting, const std::strin
   }
 }
 
-//! Returns text as a TOML string, which its parser checks for UTF-8.
+//! Returns text as a quoted TOML string with escapes. Bytes that are not UTF-8 stay: the TOML
+//! parser rejects them.
 std::string toml_string_of(std::string_view text) {
   std::string string = "\"";
   for (const char c : text) {

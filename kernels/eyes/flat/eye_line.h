@@ -137,8 +137,10 @@ ERGO_HD MetLayer<T> chosen(const Mask& mask, const MetLayer<T>& yes, const MetLa
 //! Limits of the search for a layer.
 template <class S>
 struct LayerSearch {
-  S max_w;      //!< maximum w: layers nearer to the eye are not found [1/M]
-  S precision;  //!< a layer counts as met once a step in w is shorter than this [1/M]
+  S max_w;  //!< maximum w: layers nearer to the eye are not found [1/M]
+  //! A layer counts as met if the last step in w is shorter than this, and w misses the layer by
+  //! less than four times this [1/M].
+  S precision;
 };
 
 //! Maximum number of rounds of the search. A few suffice, except where the distance jumps.

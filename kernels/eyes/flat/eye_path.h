@@ -207,8 +207,8 @@ class EyeStep {
   };
 
   ERGO_HD Position position(double h) const {
-    // Converges fast: directions change by a small fraction of their offset while the distance is
-    // adjusted.
+    // Direction and distance are corrected in turn. A few rounds suffice, because the correction of
+    // the distance changes the direction by only a small fraction of its offset.
     constexpr int rounds = 4;
     const D ray = with_neighbours(step_.series.distance, h);
     Position at = {0.0, 0.0, ray.value};
@@ -329,8 +329,11 @@ class EyeStep {
   double reach_;
   D first_;  //!< distance from the head at both ends of the step
   D last_;
-  double beside_;       //!< maximum difference between the eye's distance and the ray's [M]
-  bool parts_ = false;  //!< that difference would be a large fraction of the distance
+  //! Maximum difference between the eye's distance and the ray's [M]. If it would be a large
+  //! fraction of the distance, it is 0 and parts_ is true: the ray itself then serves for all
+  //! neighbors.
+  double beside_;
+  bool parts_ = false;
   DistanceSpan kept_ = {0.0, 0.0};
   double begin_ = 0.0;  //!< beginning of the kept part, in the step's time
   double length_ = 0.0;

@@ -16,7 +16,8 @@ struct LeftSamples {
   struct Sample {
     float x_px;
     float y_px;
-    float guess[crossing_orders];  //!< nearness of the layers
+    //! First guess of the nearness of each order's layer, from the grid.
+    float guess[crossing_orders];
     int lane;
   };
 

@@ -62,7 +62,7 @@ struct MarkFlatTiles {
     TileMark mark = TileMark::nothing;
     double min_w = 1e30;
     double max_w = 0.0;
-    double width = 0.0;  //!< width of a pixel, over r
+    double width = 0.0;  //!< maximum width of a pixel at these objects, divided by their r
   };
 
   ERGO_HD const FlatReach& along(int at) const {

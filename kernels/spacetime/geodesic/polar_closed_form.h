@@ -64,8 +64,8 @@ ERGO_HD HalfTurns start_of(const PolarForm& p) {
 //!
 //! From 0 to π/2 the integral is concave where B > 0 and convex where B < 0, so the method
 //! converges monotonically from 0 or from above. If rounding or a vanishing slope throws it out of
-//! the interval that contains η, that is bisected. (Other starting points oscillate where A is
-//! tiny, for light that hardly leaves the equator.)
+//! the interval that contains η, the interval is bisected instead. (Other starting points oscillate
+//! where A is tiny, for light that hardly leaves the equator.)
 ERGO_HD double amplitude(const PolarForm& p, double target) {
   const double half_period = 2.0 * first_kind(p, 1.0, 0.0);
   const double turns = ::rint(target / half_period);
@@ -93,8 +93,8 @@ ERGO_HD double first_kind_anywhere(const PolarForm& p, const HalfTurns& eta) {
   return (eta.count != 0.0 ? 2.0 * eta.count * first_kind(p, 1.0, 0.0) : 0.0) + first_kind(p, eta.sine, eta.cosine);
 }
 
-//! Computes L times the integral of the third kind from 0 to any η. On the axis (L = 0) only the
-//! jumps by π remain.
+//! Computes L ∫ dλ / (1 - x²) from η = 0 to any η, by the integrals of the first and of the third
+//! kind. On the axis (L = 0) only the jumps by π remain.
 ERGO_HD double azimuth(const PolarForm& p, double l, const HalfTurns& eta) {
   if (l == 0.0) {
     return eta.count * 3.14159265358979323846;

@@ -123,7 +123,8 @@ struct RadialMotion {
 
 namespace detail {
 
-//! Radii of horizons for the partial fractions of the frame dragging, and the weight of their drag.
+//! Radii of an outer and an inner horizon, the hole's or replacements, for the partial fractions of
+//! the frame dragging; and the weight of their drag in the sum (see horizon_pairs()).
 struct HorizonPair {
   double outer;
   double inner;

@@ -173,8 +173,8 @@ ERGO_HD RayEnd<T> trace_runge_kutta(ScalarOf<T> spin, const RayStart<T>& start, 
   const Vector3<T> sky = sky_direction(state);
   const T square = dot(sky, sky);
   reached = reached & (square < T(S(2)));
-  // In float, the errors of many steps around the hole change the length of the vector by about
-  // 1e-5.
+  // Normalized, because in float the errors of many steps around the hole change the length of the
+  // vector by about 1e-5.
   return {(S(1) / sqrt(select(reached, square, one))) * sky, time + rest, error};
 }
 

@@ -318,8 +318,8 @@ ERGO_HD RayEnd<T> trace_taylor(ScalarOf<T> spin, const RayStart<T>& start, const
     }
     detail::assign_where<Real>(active, state, evaluate(series, h));
     time = select(active, time + h, time);
-    // The first neglected terms are about as large as the last kept ones times the ratio of
-    // successive terms.
+    // The first neglected terms are about as large as the last kept ones, at most the tolerance,
+    // times the ratio of successive terms, for which 1/4 is assumed.
     error = select(active, error + tolerance * Real(S(0.25)), error);
     steps = select(active, steps + S(1), steps);
     active = active & (u_at_end > Real(S(0)));

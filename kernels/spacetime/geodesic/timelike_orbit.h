@@ -138,9 +138,10 @@ struct OrbitDrag {
   double time;
 };
 
-//! Computes the rates. With P = E (r² + a²) - a L and R = (dr/dλ)² = P² - Δ (r² + K), the sum of
-//! the terms of P and dr/dλ over Δ is (r² + K) / (P + √R) for bodies that fall inwards. `moment` is
-//! P u², `mass` is 1 + K u².
+//! Computes the rates, in ingoing Kerr coordinates if OrbitConstants::ingoing. With P = E (r² + a²)
+//! - a L and R = (dr/dλ)² = P² - Δ (r² + K), these contain (P + dr/dλ) / Δ, which is
+//! (r² + K) / (P + √R) for bodies that fall inwards. `moment` is P u², `mass` is 1 + K u², `lapse`
+//! is Δ u².
 ERGO_HD OrbitDrag orbit_drag(Spacetime spacetime, const OrbitConstants& c, const OrbitState& s, double moment,
                              double mass, double lapse) {
   const double spin = spacetime.spin;
@@ -203,14 +204,15 @@ ERGO_HD double orbit_error(const OrbitConstants& c, const OrbitState& s, const O
 
 }  // namespace detail
 
-//! A step along an orbit, and the difference between its two orders [rad].
+//! The end of a step along an orbit, and the difference between the solutions of both orders, as
+//! an angle [rad].
 struct OrbitStep {
   OrbitState end;
   double error;
 };
 
 //! Takes one step of Cash & Karp's pair over a proper time `h` [M]. The error is NaN too close to
-//! the horizon.
+//! the horizon, unless OrbitConstants::ingoing.
 ERGO_HD OrbitStep orbit_step(Spacetime spacetime, const OrbitConstants& constants, double h, const OrbitState& state) {
   OrbitState stage[CashKarp::stages];
   OrbitState end = state;

@@ -21,7 +21,7 @@ struct HorizonWinding {
   S spin;
   S horizon_r;  //!< r_+ [M]
   S gap;        //!< d = r_+ - r_- [M]
-  S sense;      //!< 1: of light that goes on to the horizon; -1: of light that came out through it
+  S sense;      //!< sign of W: 1 for light that goes on to the horizon, -1 for light that came out
 };
 
 //! Returns the winding about a hole. `within`: the camera is within the horizon.

@@ -16,8 +16,8 @@ enum class ObserverMotion {
   retrograde,  //!< circular equatorial orbit along -φ
   rain,        //!< free fall from rest at infinity, without angular momentum
   velocity,    //!< any velocity in the ZAMO frame
-  //! Any velocity in the rain frame, which is boosted to the observer's frame. Also valid at the
-  //! horizon and inside it.
+  //! Any velocity in the rain frame. The observer's frame is the rain frame, not the ZAMO's,
+  //! boosted by it. Also valid at the horizon and inside it.
   rain_boost
 };
 

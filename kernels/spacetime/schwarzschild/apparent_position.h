@@ -49,9 +49,9 @@ ERGO_HD ConnectionPlane connection_plane(const Vector3<double>& observer, const 
   return plane;
 }
 
-//! Computes the ends in space of the ray of image `order` >= 1. `xi`, `travel_time` and
-//! `emission_angle` are those of the ray that sweeps image_angle(plane.phi, order), from
-//! connecting_ray() or a table.
+//! Computes the directions in space at both ends of the ray of image `order` >= 1. `xi`,
+//! `travel_time` and `emission_angle` are those of the ray that sweeps image_angle(plane.phi,
+//! order), from connecting_ray() or a table.
 ERGO_HD ApparentPosition apparent_position(const ConnectionPlane& plane, int order, double xi, double travel_time,
                                            double emission_angle) {
   // Rays of odd order leave the observer on the point's side, those of even order on the other.

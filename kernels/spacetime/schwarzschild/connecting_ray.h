@@ -34,7 +34,7 @@ struct Endpoints {
   double u_far, u_near;  //!< 1/r
   double v_far, v_near;  //!< u - 1/3
   double gap;            //!< u_near - u_far
-  double log_gap;        //!< r*_far - r*_near [M]
+  double log_gap;        //!< r*_far - r*_near [M]; r*: tortoise coordinate (null_orbit.h)
   double r_gap;          //!< r_far - r_near [M]
   bool observer_is_near;
 };
@@ -112,7 +112,8 @@ struct RayLength {
 //! Builds the ray in terms of observer and point, from the rates at both ends and the length.
 ERGO_HD ConnectingRay ray_of(const Endpoints& ends, double inverse_b, double rate_far, double rate_near, bool turns,
                              double turn_side, const RayLength& length) {
-  // du/dφ from far to near: inwards all the way, or away from the turn at the end.
+  // `start` and `end` are du/dφ at the far and the near point, on the way from far to near: inwards
+  // all the way, or away from the turn at the end.
   const double start = turns ? turn_side * rate_far : rate_far;
   const double end = turns ? -turn_side * rate_near : rate_near;
   ConnectingRay ray{};
@@ -206,8 +207,8 @@ ERGO_HD double critical_angle(const Endpoints& ends) {
 
 }  // namespace detail
 
-//! Returns why no such ray exists, or nullptr if it does: radii not above 2 M or above 1e12 M,
-//! angles below 0 or above 600 rad, or equal positions.
+//! Returns why connecting_ray() does not accept the arguments, or nullptr if it does. It rejects
+//! radii not above 2 M or above 1e12 M, angles below 0 or above 600 rad, and equal positions.
 inline const char* why_not_connected(double r_observer, double r, double angle) {
   if (!(r_observer > 2.0 && r > 2.0)) {
     return "no light escapes from the horizon or from inside it";

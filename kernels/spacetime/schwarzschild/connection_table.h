@@ -63,8 +63,8 @@ struct ConnectionView {
   const ConnectionNode* nodes;
 };
 
-//! Number of rays of a fan from φ = 0 to π, and number of rays that an interpolation uses. The
-//! interpolation error is then below the rounding of float.
+//! Number of steps between the rays of a fan from φ = 0 to π, and number of rays that an
+//! interpolation uses. The interpolation error is then below the rounding of float.
 inline constexpr int fan_steps_to_pi = 20;
 inline constexpr int fan_stencil = 10;
 

@@ -190,7 +190,8 @@ ERGO_HD_CALLED double swept_angle(const PlungingOrbit& orbit, double far, double
   return ::sqrt(2.0) * gap * carlson_rf(u12 * u12, u13 * u13, u23 * u23).re;
 }
 
-//! Computes azimuth, delay and stretch between two positions.
+//! Computes azimuth, delay and stretch (see OrbitLeg) from v = `far` to v = `near`; arguments as
+//! for swept_angle().
 ERGO_HD_CALLED OrbitLeg plunging_leg(const PlungingOrbit& orbit, double far, double near, double gap) {
   const double low = ::asinh((far - orbit.middle) / orbit.spread);
   const double high = ::asinh((near - orbit.middle) / orbit.spread);

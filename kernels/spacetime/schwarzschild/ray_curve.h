@@ -19,7 +19,8 @@ struct RayPosition {
 
 namespace detail {
 
-//! Converts a rate. That of a radial ray over φ is infinite; its u is linear in the share.
+//! Converts du/dφ to du/dshare. For a radial ray du/dφ is infinite; its u is linear in the share,
+//! with the slope `gap`.
 ERGO_HD double rate_over_share(double rate, double angle, double gap) {
   const double over_share = rate * angle;
   return ::fabs(over_share) <= 1e300 ? over_share : gap;

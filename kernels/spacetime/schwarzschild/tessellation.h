@@ -30,8 +30,8 @@ ERGO_HD double apparent_curvature(const ScreenPoint& first, const ScreenPoint& m
   return length > 0.0 ? bow / length : 0.0;
 }
 
-//! Returns the number of parts that an edge is divided into: eq. 19, from 1 to `settings.maximum`.
-//! Grows with curvature.
+//! Returns the number of parts that an edge is divided into, not rounded: eq. 19, clamped to 1 to
+//! `settings.maximum`. Grows with curvature.
 ERGO_HD double tessellation_level(double curvature, const TessellationSettings& settings) {
   const double share = settings.factor * ::pow(curvature, settings.power);
   return ::fmax(1.0, settings.maximum * ::fmin(1.0, ::fmax(0.0, share)));

@@ -39,7 +39,8 @@ ERGO_HD double edge_along_circle(const CameraStation& camera, const ShadowChart&
 }
 
 namespace detail {
-//! Returns a chart about `centre` whose position angle 0 points along +φ.
+//! Returns a chart about `centre` whose position angle 0 points along +φ, or along +θ if `centre`
+//! is almost at ±φ.
 ERGO_HD ShadowChart chart_about(const Vector3<double>& centre) {
   const Vector3<double> e_phi = {0.0, 0.0, 1.0};
   const Vector3<double> e_theta = {0.0, 1.0, 0.0};
@@ -61,8 +62,9 @@ ERGO_HD Vector3<double> onto_equator(const Vector3<double>& n) {
 //! sky (K = 0 for both, so there is no barrier). So the arc starts at the ingoing ray. If the
 //! opposite direction is dark too (close to the horizon, where the bright sky is a small disk), the
 //! outgoing ray limits the search. The arc lies in the plane of e_r and e_φ wherever that meets the
-//! shadow. The far pole of the chart is the middle of the bright arc, so every great circle from
-//! the center meets the edge.
+//! shadow. If that plane misses the bright disk, the chart is about the direction opposite to the
+//! outgoing ray. The far pole of the chart is the middle of the bright arc, so every great circle
+//! from the center meets the edge.
 ERGO_HD ShadowChart make_shadow_chart(const CameraStation& camera) {
   const Vector3<double> in = detail::principal_direction(camera, -1.0);
   const Vector3<double> flat = detail::onto_equator(in);

@@ -80,8 +80,8 @@ ERGO_HD void omni_offset(const OmniCameraOf<ScalarOf<T>>& camera, const Vector3<
   back = view.x * share;
 }
 
-//! The camera of an eye for one direction of the view, as its six forms in that direction (see
-//! omni_numbers).
+//! The camera of an eye for one direction of the view: u, m, and the values of its six forms in
+//! that direction (see omni_numbers).
 template <class T>
 struct OmniSight {
   T u;

@@ -48,8 +48,8 @@ ERGO_HD const PixelBatch& pixels_of(const PixelBatch& batch) { return batch; }
 ERGO_HD const PixelBatch& pixels_of(const OmniBatch& batch) { return batch.pixels; }
 
 //! Traces the pixels of a batch: of a camera, or of an omnidirectional eye, with a camera for each
-//! pixel. Index i covers the pixels i * lanes, i * lanes + 1, ... of the block. `Footprints` enables
-//! their derivatives at compile time; without, they cost nothing.
+//! pixel. Index i covers the pixels i * lanes, i * lanes + 1, ... of the block. `Footprints`:
+//! whether derivatives of the sky directions per pixel are computed, too.
 template <class T, bool Footprints, class Batch = PixelBatch>
 struct TracePixels {
   using D = Dual<T>;
@@ -75,8 +75,9 @@ struct TracePixels {
 
     const RayStart<Ray> start = start_ray(batch.camera, part_of<Ray>(n));
     const auto bright = comes_from_sky(batch.camera.spin, batch.camera.horizon_r, plain_start(start));
-    // At the very edge of the shadow the decision in float may differ from the curve's. Such a
-    // pixel keeps its coverage and averages the whole sky, which is what the edge shows.
+    // At the very edge of the shadow, a pixel that is partly lit according to the curve may be dark
+    // according to its ray in float. It keeps its coverage and averages the whole sky, which is
+    // what the edge shows.
     const auto dark = (!bright) & (sky_lit >= one);
     const T lit = select(dark, zero, sky_lit * inside);
     const auto wanted = bright & (lit > zero);

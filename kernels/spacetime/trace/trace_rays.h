@@ -21,7 +21,7 @@ struct RayBatch {
   TraceMethod method;
   int count;
   const Scalar* direction[3];  //!< unit vectors in the observer's frame (e_r, e_θ, e_φ)
-  Scalar* sky[3];              //!< unit vectors to the sources, rotated by camera φ, or 0
+  Scalar* sky[3];              //!< unit vectors to the sources, rotated by camera φ; 0 unless LightEnd::sky
   Scalar* frequency_ratio;     //!< g = ν_observed / ν_emitted; formally 1 / E for captured rays
   Scalar* status;              //!< LightEnd as a number
   Scalar* steps;               //!< integration steps

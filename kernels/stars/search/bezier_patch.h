@@ -41,8 +41,8 @@ ERGO_HD BezierPatch bezier_patch(const LensGrid& grid, int leaf, float width_tur
     const float* node = grid.nodes + floats_a_node * grid.leaves[4 * leaf + corner];
     const int column = corner & 1;
     const int row = corner >> 1;
-    // Goes from each corner inwards: the distance of the next control points is a third of the
-    // derivative.
+    // Steps from each corner inwards to the next control points: a third of the derivative times
+    // the side of the leaf.
     const float along_u = (column == 0 ? width_turns : -width_turns) / 3.0F;
     const float along_v = (row == 0 ? height : -height) / 3.0F;
     for (int i = 0; i < 3; ++i) {

@@ -25,7 +25,8 @@ struct CorrectedLeaves {
   const float* boxes;
   const int* leaves;   //!< corners, as in LensGrid
   const float* nodes;  //!< nodes as in LensGrid, with the values of traced rays
-  //! Displacements along γ at the checks of a leaf, then along s; nullptr: unknown.
+  //! For each leaf: the displacements at its checks along γ, then along s, in fractions of the
+  //! leaf's sides; nullptr: unknown.
   const float* checks;
 };
 
@@ -53,8 +54,8 @@ ERGO_HD Quartic quartic(float t) {
 
 ERGO_HD float mixed(float a, float b, float t) { return a + t * (b - a); }
 
-//! Interpolates a displacement along one axis. Checks 1 and 2 are the midpoints of the sides at s0
-//! and s1, 3 and 4 those at γ0 and γ1.
+//! Interpolates one component of the displacement, along γ or s, from its values `c` at the checks.
+//! Checks 1 and 2 are the midpoints of the sides at s0 and s1, 3 and 4 those at γ0 and γ1.
 ERGO_HD float blended(const float* c, const Quartic& along, const Quartic& across, float u, float v) {
   return along.value * mixed(c[1], c[2], v) + across.value * mixed(c[3], c[4], u);
 }

@@ -26,11 +26,11 @@ struct ImageJoinBatch {
   int star_count;
   double pixel;  //!< angle of a pixel [rad]
   ImageOrder order;
-  //! Images of each star; must be zero before the steps `count` and `number`.
+  //! Number of images of each star; must be zero before the steps `count` and `number`.
   std::int32_t* counts;
   const std::int32_t* first;  //!< index in `numbers` of each star's images; star_count + 1 elements
   std::int32_t* numbers;
-  //! Images kept, star by star, as many as numbers; duplicates have a star of -1.
+  //! Images, star by star, one for each element of `numbers`; duplicates have a star of -1.
   StarImage* images;
   ImageJoinStep step = ImageJoinStep::count;
 };

@@ -24,12 +24,14 @@ ERGO_HD bool are_one_image(const SeenImage& a, const SeenImage& b, double pixel)
   if (square < same_image_px * same_image_px * pixel * pixel && one_side) {
     return true;
   }
-  // Arcs of one ring are equally bright; rings of different order lie side by side.
+  // Overlapping arcs with similar magnifications are parts of one ring, and count as one image. A
+  // ring of another order beside it has a very different magnification.
   const auto arc = static_cast<double>(maximum(a.arc, b.arc));
   return square < arc * arc && ::fabsf(::logf(::fabsf(ratio))) < 0.7F && (one_side || (a.capped && b.capped));
 }
 
-//! Orders a star's images independently of how they were found.
+//! Orders a star's images by direction, then by magnification, independently of the order in which
+//! they were found.
 ERGO_HD bool comes_before(const StarImage& a, const StarImage& b) {
   const float of_a[4] = {a.direction.x, a.direction.y, a.direction.z, a.magnification};
   const float of_b[4] = {b.direction.x, b.direction.y, b.direction.z, b.magnification};

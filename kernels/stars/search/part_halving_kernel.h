@@ -68,7 +68,8 @@ ERGO_HD void sort_halves(const SeenPart<T>& half, unsigned open, int depth, cons
     return;
   }
   const unsigned last = held & mask_bits(half.halvings <= T(static_cast<float>(depth)));
-  // Tested every other time, as the test costs more than a halving.
+  // Halves are tested for regularity only at even depths, as the test costs more than a halving;
+  // those that are not halved again are always tested.
   const unsigned asked = depth % 2 == 0 ? held : last;
   const unsigned regular = asked == 0 ? 0U : asked & mask_bits(is_regular(half.patch));
   append(regular_parts, half, regular);

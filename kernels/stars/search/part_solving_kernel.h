@@ -24,7 +24,7 @@ struct PartSolver {
     const Mask all = T(0.0F) < T(1.0F);
     PatchRoot<T> root =
         newton_on_patch(part.patch, all, {T(0.5F), T(0.5F)}, folded ? any_step : farthest_regular, rounds_regular);
-    // If parts may be folded, roots outside of a part are accepted as well.
+    // If parts may be folded, roots outside of a part, by up to its size, are accepted as well.
     root.found = root.found & within_patch(root.at, folded ? 1.0F : beyond_patch);
     if (folded) {
       return across_fold(root);
@@ -39,9 +39,9 @@ struct PartSolver {
             root.found};
   }
 
-  //! Finds the second root of folded parts. At a fold, images appear in pairs, so a root has a twin
-  //! across the fold. If no root is found but the fold passes the star within the patch's error,
-  //! both are guessed.
+  //! Finds the second root of folded parts, if their patch may deviate from the sky (error > 0). At
+  //! a fold, images appear in pairs, so a root has a twin across the fold. If no root is found but
+  //! the fold passes the star within that error, both are guessed.
   [[nodiscard]] ERGO_HD PartRoots<T> across_fold(const PatchRoot<T>& root) const {
     const T zero(0.0F);
     const SeenPatch<T>& patch = part.patch;

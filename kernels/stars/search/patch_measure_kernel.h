@@ -6,7 +6,7 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Measures a patch. Runs once, with samples as lanes.
+//! Measures a patch by 5 x 5 samples. Runs once, with samples as lanes.
 template <class T>
 struct MeasurePatch {
   const PatchMeasureBatch& batch;

@@ -8,7 +8,7 @@
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
-//! Gathers a number of the pairs first, first + 1, ..., one pair per lane.
+//! Gathers the results of number(pair) for the pairs first, first + 1, ..., one pair per lane.
 template <class T, class Number>
 ERGO_HD T gather_numbers(const PatchPairBatch& pairs, int first, const Number& number) {
   T value;
@@ -89,8 +89,9 @@ struct InvertPatches {
 //! Finds on which side of patches' borders stars are, by the winding number of the border about the
 //! star; index i stands for the pairs i * lanes, i * lanes + 1, ...
 //!
-//! Each side is a cubic curve, approximated by chords. A star that is nearer to a chord than the
-//! curve may be counts as `beside`.
+//! Each side is a cubic curve, approximated by chords. A star counts as `beside` if it is so near
+//! to a chord that the error of the chord, the margin within which images are accepted outside a
+//! patch, or rounding might change the result.
 template <class T>
 struct FindPatchSides {
   using Mask = MaskOf<T>;

@@ -53,7 +53,8 @@ enum class PairResult {
   undecided  //!< to be searched like a pair of a folded patch
 };
 
-//! Evaluates the end of Newton's method at (u, v). `side`: of a bent patch's border; not outside.
+//! Decides from the end of Newton's method at (u, v) whether a pair has an image. `side`: on which
+//! side of a bent patch's border the star is; callers drop pairs whose star is outside.
 ERGO_HD PairResult pair_result(PatchShape shape, PatchSide side, bool found, float u, float v) {
   const PatchPosition<float> end = {u, v};
   if (found && within_patch(end, beyond_patch)) {
@@ -87,7 +88,7 @@ ERGO_HD bool image_at_root(const SearchInputs& inputs, const SearchedPair& pair,
   // Solid angle of the sky per unit square of the patch. Areas in the plane exceed the solid angles
   // behind them by a factor of 1 / depth.
   const float sky = maximum(::fabsf(root.area), 1e-30F) * pair.depth;
-  // Maximum gain in brightness: first without that by its frequency shift.
+  // Upper limit of the image's illuminance over the star's, including its frequency shift.
   const float gain = patch.brighter * (patch.max_camera / sky) * patch.light.brighter *
                      inputs.field.gains[patch.light.shift_row].gain[star_class(star.log_temperature)];
   if (!(star.illuminance * gain >= inputs.faintest)) {

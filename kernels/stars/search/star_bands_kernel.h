@@ -55,7 +55,8 @@ ERGO_HD MaskOf<T> is_within(const SkyPart& part, const StarBands& stars, int at,
 }  // namespace detail
 
 //! Calls found(number) for each star of a field that lies in a part of the sky and is above a
-//! threshold. `threads` threads share the work: each takes every so many packs of adjacent stars.
+//! brightness threshold. `threads` threads share the work: of each run of adjacent stars, thread k
+//! takes the packs k, k + threads, ...
 template <class T, class Found>
 ERGO_HD void search_field(const SearchedField& field, const SkyPart& part, const StarFloor& floor, int thread,
                           int threads, const Found& found) {

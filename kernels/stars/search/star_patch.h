@@ -23,7 +23,8 @@ struct SkyBounds {
   float width_turns;  //!< range of azimuths; 1 about a pole
 };
 
-//! A frustum in which stars are sought.
+//! A part of the sky in which stars are sought: the inside of four planes through the sky's center,
+//! with its bounds.
 struct SkyPart {
   float inward[4][3];  //!< inward normals of its four sides
   SkyBounds bounds;
@@ -65,8 +66,8 @@ struct StarPatch {
   int leaf;        //!< leaf of the grid that it is part of
   float brighter;  //!< factor by which an image in it may be brighter than the grid indicates
   bool exact;      //!< images in it need no rays after their correction, unless it is folded
-  //! Distance by which the patch may deviate from the true sky next to critical curves, where that
-  //! matters [rad].
+  //! Distance by which the patch may deviate from the true sky [rad]. It only matters next to
+  //! critical curves, and is 0 if the patch cannot contain one.
   float error;
   int halvings;  //!< maximum number of halvings in its search, if it is not regular
   PatchLight light;

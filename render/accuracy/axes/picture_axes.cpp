@@ -110,7 +110,8 @@ AccuracyAxis measure_frames(const Show& show, const AccuracySettings& settings, 
 
 namespace {
 
-//! Returns a copy of a show that has only disk, shells and objects, in front of a black sky.
+//! Returns a copy of a show that has only disk, shells and objects, in front of a black sky, seen
+//! by one eye, without bloom, diffraction and trails.
 Show near_things_alone(Show show) {
   show.sky.map = "grid";
   show.sky.map_layout = {};

@@ -35,8 +35,8 @@ double mean_of(const Picture& picture, const std::vector<std::int64_t>& pixels) 
   return count > 0.0 && sum > 0.0 ? sum / count : 1.0;
 }
 
-//! Returns the difference between each pixel's luminance and the exact one, relative to the mean of
-//! the exact picture. NaN for pixels that are not compared, or dark in both pictures.
+//! Returns the difference between each pixel's luminance and the exact one, relative to mean_of()
+//! the exact picture. NaN for pixels that are not fully covered in both pictures, or dark in both.
 std::vector<double> differences(const Picture& picture, const Picture& exact, const std::vector<std::int64_t>& pixels) {
   const double scale = 1.0 / mean_of(exact, pixels);
   std::vector<double> values;

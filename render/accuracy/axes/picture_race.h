@@ -44,7 +44,8 @@ inline bool draws_slowly(const Show& show) { return !show.objects.empty(); }
 AccuracySettings no_wider(AccuracySettings settings, const Show& show, int max_px);
 
 //! Returns settings for a measurement; for shows that draw slowly they are reduced to one moment,
-//! two rounds and small pictures. A lit object of 1024² pixels takes half a minute with rays.
+//! at most two rounds, and pictures at most 384 px wide. A lit object of 1024² pixels takes half a
+//! minute with rays.
 AccuracySettings paced(const AccuracySettings& settings, const Show& show);
 
 }  // namespace ergodome

@@ -67,8 +67,8 @@ std::vector<Vector3<double>> misses_of(const PixelLens& lens, const PixelReferen
   return misses;
 }
 
-//! Compares a method's last draw with the reference and adds the errors to `entry` and `map`.
-//! Ignores pixels that are dark in both.
+//! Compares a method's last draw with the reference, and stores the errors in `entry` and `map`.
+//! Ignores pixels for which PixelReference::counts() is false, and those that are dark in both.
 void read_errors(const PixelLens& lens, const PixelReference& reference, const PixelLattice& lattice, Entry& entry,
                  ErrorMap& map) {
   entry.misses = misses_of(lens, reference, lattice);

@@ -59,7 +59,7 @@ class RayLens : public PixelLens {
 };
 
 //! Measures the quadtree grid of Verbraeck & Eisemann (2021), built for the eye's position and
-//! motion and read once per pixel.
+//! velocity and read once per pixel.
 class QuadtreePixels : public PixelLens {
  public:
   QuadtreePixels(LensScene& scene, int finest_level, QuadtreeInterpolation how)

@@ -79,7 +79,7 @@ double FlatShadow::distance(double gamma, double depth) const {
   for (int k = 0; k < 4; ++k) {
     const int spoke = ((static_cast<int>(whole) + k - 1) % spokes + spokes) % spokes;
     const double* row = distances_.data() + static_cast<std::ptrdiff_t>(spoke) * depths;
-    // Extrapolate beyond both ends.
+    // Extrapolates beyond the first depth (quadratically) and the last one (linearly).
     const double before = i > 0 ? row[i - 1] : 3.0 * row[0] - 3.0 * row[1] + row[2];
     const double after = i + 2 < depths ? row[i + 2] : 2.0 * row[i + 1] - row[i];
     at[k] = cubic(before, row[i], row[i + 1], after, down - i);
@@ -143,8 +143,9 @@ double FlatShadow::head_nearness(const Vector3<double>& n) const {
 
 double FlatShadow::nearness_along(const Vector3<double>& m, const Vector3<double>& eye) const {
   const double max_w = 1.0 / ((1.0 - farthest_eye) * nearest_);
-  // Returns how far the line of sight is beyond the horizon at a nearness. The first point of the
-  // horizon on the line is the visible one.
+  // Returns how far the line of sight is beyond the horizon at nearness w, as a difference of
+  // nearness [1/M]; negative in front of the horizon. The first point of the horizon on the line
+  // (the one with the largest w) is the visible one.
   const auto beyond = [&](double w) {
     const Vector3<double> v = m + w * eye;
     const double length = std::sqrt(dot(v, v));

@@ -36,7 +36,8 @@ class FlatShadow {
   //! Returns the same chart in the observer's frame.
   [[nodiscard]] const ShadowChart& frame_chart() const { return frame_chart_; }
 
-  //! Returns the maximum baseline [M]: the distance of the nearest part of the horizon.
+  //! Returns the maximum baseline [M]: the affine distance from the head to the nearest part of the
+  //! horizon.
   [[nodiscard]] double max_baseline() const;
 
   //! Computes the shadow edge that an eye sees, in the chart of the head's edge and at the same
@@ -44,8 +45,9 @@ class FlatShadow {
   //! exceeds max_baseline().
   [[nodiscard]] std::vector<float> eye_edge(double offset) const;
 
-  //! Computes FlatHorizon::nearness (`spokes` times `depths` values) of the eye at `offset` [M],
-  //! whose edge is `edge`.
+  //! Computes FlatHorizon::nearness for the eye at `offset` [M], whose shadow edge is `edge`: in
+  //! `spokes` times `depths` directions of its shadow, the inverse of the affine distance at which
+  //! the line of sight meets the horizon [1/M].
   [[nodiscard]] std::vector<float> eye_nearness(double offset, const std::vector<float>& edge) const;
 
   //! Returns the affine distance to the horizon [M] at a position angle [rad] and at the fraction

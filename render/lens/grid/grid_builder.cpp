@@ -24,13 +24,15 @@ constexpr int deepest_a_side = 10;
 constexpr double safety = 0.8;
 constexpr int grid_step_limit = 400;
 
-//! Returns the largest error in a cell from its checks.
+//! Returns the largest error in a cell from the errors at its check points. Those at the inner
+//! ones, first and last, are multiplied by inner_share.
 float worst_of(const float* checks) {
   return std::max({inner_share * checks[0], checks[1], checks[2], checks[3], checks[4], inner_share * checks[5]});
 }
 
 //! Returns the angle from the shadow's edge, in the rain frame, below which the lens may show the
-//! same sky for all directions, because the displacement is at most half the budget there.
+//! same sky for all directions, because that displaces them by at most half the budget; at least
+//! 3e-7 rad.
 double cut_off(const GridSettings& settings, const EdgeCurve& edge) {
   double largest_scale = 0.0;
   for (int i = 0; i < edge.count; i += edge.count / 32) {
@@ -110,7 +112,8 @@ class GridBuilder {
     grid_.statistics().traced_checks += static_cast<long>(checks_.error_px.size());
   }
 
-  //! Turns cells that are accurate enough or cannot be improved into leaves, and splits the others.
+  //! Turns cells into leaves if they are accurate enough, smaller than min_area_px or of the
+  //! maximum depth, or if the grid has max_nodes nodes. Splits the others and returns their halves.
   std::vector<OpenCell> decide(const std::vector<OpenCell>& open) {
     const auto limit = static_cast<float>(safety * settings_.budget_px);
     const bool full = tracer_.node_count() >= settings_.max_nodes;

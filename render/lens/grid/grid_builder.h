@@ -26,9 +26,10 @@ struct GridSettings {
   int max_nodes = 1 << 16;
   //! Also computes the derivatives of the nodes along r and θ; the grid is then never mirrored.
   bool derivatives = false;
-  //! Keeps the data of LensStation that the search for star images needs.
+  //! Fills LensStation::traced_nodes and leaf_displacements, which the search for star images
+  //! needs.
   bool inverted = false;
-  double range = 0.0;  //!< range of the chart; 0: chosen from the budget, see chart_range()
+  double range = 0.0;  //!< LensChart::range; 0: chosen from the budget, see chart_range()
 };
 
 //! Builds the lens grid of a camera at Boyer-Lindquist (r, θ) [M, rad], on either side of the
@@ -56,8 +57,8 @@ LensStation build_lens_station(Spacetime spacetime, double r, double theta, cons
 LensStation build_omni_station(const OmniCameraOf<float>& cameras, const ShadowChart& chart, std::vector<float> edge,
                                const GridSettings& settings, GridStatistics* statistics = nullptr);
 
-//! Returns the range that the chart of a position needs so that the grid extends to within half the
-//! budget of the shadow's edge.
+//! Returns the LensChart::range that the chart of a position needs so that the grid extends to
+//! within half the budget of the shadow's edge.
 double chart_range(Spacetime spacetime, double r, double theta, const GridSettings& settings);
 
 }  // namespace ergodome

@@ -47,7 +47,8 @@ class GridTracer {
   //! Returns all nodes traced so far, floats_a_node values each.
   [[nodiscard]] std::vector<float> nodes() const;
 
-  //! Checks cells whose corners are among the nodes traced so far.
+  //! Compares the lens interpolated in cells, whose corners must be nodes traced so far, with rays
+  //! traced at the cells' check points; stores the errors in `found`.
   void check(const std::vector<GridCell>& cells, CellChecks& found);
 
   //! Returns nodes traced at chart positions (γ, s) for another camera. Does not change the grid.

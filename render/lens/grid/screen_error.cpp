@@ -15,10 +15,11 @@ namespace ergodome {
 namespace {
 
 constexpr int reference_step_limit = 400;
-//! Desired number of samples: enough to resolve a thousandth of the sky.
+//! Desired number of samples of leaf_samples(): enough to resolve a thousandth of the sky.
 constexpr double wished_samples = 10'000.0;
-//! No sample represents more than 1 / wished_parts of the total area on the screen. Most represent
-//! less, because leaves are divided into quarters, and the number of samples is about twice this.
+//! In screen_samples(), no sample represents more than 1 / wished_parts of the total area on the
+//! screen. Most represent less, because leaves are divided into quarters, and the number of samples
+//! is about twice this.
 constexpr double wished_parts = 6'000.0;
 
 //! Returns the weighted quantile of the values: that below which the fraction `share` of the weight

@@ -10,7 +10,7 @@
 
 namespace ergodome {
 
-//! The observer of a lens: position, motion and screen.
+//! The observer of a lens: position, velocity (as an aberration) and screen.
 struct LensView {
   Spacetime spacetime;
   LensPosition position;

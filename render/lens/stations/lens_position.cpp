@@ -9,8 +9,8 @@ namespace ergodome {
 
 namespace {
 
-//! Minimum of the radial scale [M]. It applies near an extremal hole's horizon and inside it, where
-//! the distance to r = 1 is too small a scale.
+//! Minimum of the radial scale of position_weight() [M]. It applies near an extremal hole's horizon
+//! and inside it, where the distance to r = 1 is too small a scale.
 constexpr double min_measure = 0.1;
 
 //! Returns the difference [rad] between the azimuth of ingoing Kerr coordinates and a camera's

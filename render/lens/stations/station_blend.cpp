@@ -53,7 +53,7 @@ StationBuffers::StationBuffers(Backend backend, LensStation station)
 }
 
 std::size_t StationBuffers::expected_bytes(const StationEntry& entry, bool derivatives) {
-  // A binary tree has one inner cell less than leaves.
+  // The tree has about two entries per leaf: a binary tree has one inner cell less than leaves.
   return bytes_for(edge_points, std::size_t{2} * entry.leaves, entry.leaves, entry.nodes, derivatives);
 }
 

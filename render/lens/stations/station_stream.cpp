@@ -11,13 +11,17 @@ namespace ergodome {
 
 namespace {
 
-//! Of this many stations in memory, one is behind the play head and the others are ahead of it.
+//! Of this many stations that are read in advance, one is behind the play head and the others are
+//! ahead of it.
 constexpr std::size_t ahead_of_one_behind = 4;
-//! Time before their use at which stations are read, at the current speed of the play head.
+//! Time before their use at which stations are read [s], at the current speed of the play head or
+//! at normal speed, whichever is faster.
 constexpr double look_ahead_s = 5.0;
-//! Number of stations around the play head that are always read, however far apart they are.
+//! Number of stations around the play head that are read if memory suffices, however far apart they
+//! are.
 constexpr std::size_t min_around = 6;
-//! Maximum speed of the play head [show seconds per second]; a faster change is treated as a jump.
+//! Maximum speed of the play head [show seconds per second]; a faster movement is a jump, which
+//! does not count for its measured speed.
 constexpr double fastest = 64.0;
 
 }  // namespace
@@ -155,7 +159,7 @@ std::optional<std::size_t> StationStream::next_to_read() {
 void StationStream::make_room(std::size_t bytes, const std::vector<std::size_t>& order) {
   const std::unordered_set<std::size_t> keep(order.begin(), order.end());
   while (statistics_.bytes_held + bytes > memory_bytes_) {
-    // Evict the station farthest from the head first.
+    // Evicts stations that are not in `order`, the one farthest from the play head first.
     const auto distance = [&](const auto& each) {
       return std::abs(static_cast<double>(each.first) - static_cast<double>(head_));
     };
@@ -254,7 +258,8 @@ std::optional<StationPair> StationStream::at(double time_s, double patience_s) {
   move_head(time_s);
   wake_.notify_all();
   std::optional<StationPair> pair;
-  // Returns true if the stations are available or waiting for them is useless.
+  // Sets `pair`. Returns true if the stations are in memory, or if none can be read, so that
+  // waiting is useless.
   const auto arrived = [&] {
     const auto bracket = around(time_s);
     pair = bracket ? held_pair(*bracket) : std::nullopt;

@@ -68,7 +68,8 @@ class StationStream {
   [[nodiscard]] const TrajectoryReader& trajectory() const { return trajectory_; }
 
   //! Moves the play head to a show time and returns the stations around it. Skips stations that
-  //! cannot be read. Returns nothing if no station arrives within `patience_s` or none can be read.
+  //! cannot be read. Returns nothing if one of the two does not arrive within `patience_s`, or if
+  //! no station can be read.
   std::optional<StationPair> at(double time_s, double patience_s);
 
   //! Like at(), but uses only stations that are in memory and does not move the play head.

@@ -18,7 +18,7 @@ constexpr int layer_step_limit = 100;
 
 LayerLimits<double> layer_limits(Spacetime spacetime, double inner_r, double outer_r) {
   const double horizon = horizon_radius(spacetime);
-  // The turning points of light are at or outside the prograde photon orbit.
+  // Light from outside that turns back does so at or outside the prograde photon orbit.
   const double turning = photon_orbit_radius(Spacetime{std::abs(spacetime.spin)}, 1.0);
   const double near_r =
       horizon + std::max(std::min(0.25 * (inner_r - horizon), 0.5 * (turning - horizon)), 1e-3 * horizon);

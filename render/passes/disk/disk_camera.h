@@ -17,8 +17,9 @@ struct DiskGridSettings {
   //! True: the grid also stores azimuth and time, which the cloud pattern needs.
   bool pattern = false;
   double pixel = 1e-3;      //!< angle of a pixel on the screen [rad]
-  double budget_px = 0.25;  //!< maximum displacement on the screen [px]
-  Aberration observer{};    //!< observer whose screen is meant, from aberration_to_rain()
+  double budget_px = 0.25;  //!< maximum error of the disk's position on the screen [px]
+  //! Aberration to the rain frame (aberration_to_rain()) of the observer whose screen is meant.
+  Aberration observer{};
   //! Cells with a smaller area are not split: tracing their pixels costs less than tracing more
   //! nodes.
   double min_area_px = 3.0;
@@ -50,7 +51,8 @@ struct DiskChartCamera {
 //! changes for a disk that fills its apparent width evenly, seen from r.
 DiskSpanOnScreen disk_span_on_screen(const DiskGridSettings& settings, double r);
 
-//! Returns limits for tracing the rays of a disk grid. The tolerance is not set.
+//! Returns the limits of 1/r and of steps for tracing the rays of a disk grid; `inner_r` and
+//! `outer_r` are the disk's edges [M]. The tolerance is not set.
 LayerLimits<double> layer_limits(Spacetime spacetime, double inner_r, double outer_r);
 
 }  // namespace ergodome

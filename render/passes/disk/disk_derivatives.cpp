@@ -35,7 +35,8 @@ DiskNodePositions node_positions(const DiskStation& station) {
   return positions;
 }
 
-//! Computes the difference quotients of nodes between two camera positions, set by set.
+//! Computes the difference quotients of the nodes between two camera positions, for each set of
+//! nodes (DiskStation::NodeSets).
 class DiskDifference {
  public:
   DiskDifference(const DiskStation& station, const DiskGridSettings& settings)

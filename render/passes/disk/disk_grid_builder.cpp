@@ -29,7 +29,7 @@ constexpr float widest_phase = 0.6F;
 //! Result of checking a cell.
 struct DiskVerdict {
   unsigned orders = 0;    //!< bit set of the orders of crossing that may be visible in the cell
-  float error_px = 0.0F;  //!< largest error at the check points
+  float error_px = 0.0F;  //!< largest error on the sides, or in the middle as estimated from the inner checks
   float across_gamma = 0.0F;
   float across_s = 0.0F;
   float area_px = 0.0F;
@@ -93,8 +93,8 @@ class DiskGridBuilder {
            high + margin > static_cast<float>(1.0 / settings_.outer_r);
   }
 
-  //! Returns whether a check point inside a cell is within the bounds of the disk in which the grid
-  //! must be accurate. If none is, checks on the sides say little about the inside.
+  //! Returns whether a check ray inside a cell meets the plane at a 1/r for which the grid must be
+  //! accurate (checked_bounds()). If none does, checks on the sides say little about the inside.
   [[nodiscard]] bool is_checked(std::size_t number, int order) const {
     const float* const u = tracer_.u(order) + checks_a_cell * number;
     const auto within = [&](float at) { return at > bounds_.low && at < bounds_.high; };

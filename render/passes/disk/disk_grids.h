@@ -35,9 +35,9 @@ struct DiskGridRequest {
   const EyeCamera& eye;
   const DiskAppearance& disk;
   double pixel;           //!< angle of a pixel on the screen [rad]
-  double budget_px;       //!< maximum displacement on the screen [px]
+  double budget_px;       //!< maximum error of the disk's position on the screen [px]
   double pixels;          //!< number of pixels of the picture
-  bool asked;             //!< true: a grid is used even for small pictures
+  bool asked;             //!< true: a grid is used even if rays are cheaper
   bool nearness = false;  //!< true: the grid has DiskGrid::nearness
 };
 
@@ -74,7 +74,7 @@ class DiskGrids {
   Grid make(const DiskGridRequest& request);
 
   DiskGridTracer tracer_;
-  std::list<Grid> grids_;  //!< most recent first
+  std::list<Grid> grids_;  //!< most recently used first
   int built_ = 0;
 };
 

@@ -32,9 +32,9 @@ class DiskLayers {
 
   //! Station that provides the cells, and also the nodes if `nodes_` is empty.
   std::shared_ptr<const DiskStation> cells_;
-  //! Interpolated shadow edge; empty if the edge of `cells_` is used.
+  //! Shadow edge at the position; empty if the edge of `cells_` is used.
   std::optional<EdgeTable> edge_;
-  //! Interpolated nodes; empty if the nodes of `cells_` are used.
+  //! Nodes at the position, interpolated or extrapolated; empty if those of `cells_` are used.
   Buffer<float> nodes_[layer_orders];
 };
 

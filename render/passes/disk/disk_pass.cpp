@@ -37,7 +37,8 @@ double temperature(const DiskSettings& disk, Spacetime spacetime, double r, doub
   return disk.temperature_k * std::sqrt(std::sqrt(page_thorne_flux(spacetime, r) / maximum));
 }
 
-//! Lifetime of a cloud in orbital periods at twice the radius of the inner edge.
+//! Lifetime of a cloud of the pattern, in periods of a circular orbit at twice the radius of the
+//! disk's inner edge.
 constexpr double life_in_turns = 2.0;
 
 }  // namespace

@@ -24,7 +24,8 @@ class DiskPass {
   //! the disk transparent.
   [[nodiscard]] bool is_visible() const;
 
-  //! Returns the disk for kernels at a show time; `clock_lead` [M] is that of CameraPose.
+  //! Returns the disk for kernels at a show time. `clock_lead`: Boyer-Lindquist time minus the
+  //! show's time for a camera that falls through the horizon [M]; see CameraPose.
   [[nodiscard]] DiskAppearance look_at(double time_s, double clock_lead = 0.0) const;
 
   //! Number of entries in the temperature table.

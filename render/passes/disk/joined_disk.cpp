@@ -40,8 +40,8 @@ struct TreeCursor {
   }
 };
 
-//! A leaf of a station's tree. Only untrusted files can have cells that are smaller than the
-//! integer coordinates resolve. Of those, the first leaf is used instead of all of them.
+//! A leaf of a station's tree. Only untrusted files can have leaves that are smaller than a cell
+//! of integer size 1 (CellBox). In such a cell, the first leaf is used instead of all of them.
 struct StationLeaf {
   std::size_t number;
   bool flagged;

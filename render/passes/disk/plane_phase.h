@@ -10,7 +10,7 @@ struct StartPhase {
   //! Phase of the ray's oscillation through the equatorial plane [rad], from 0 (in the plane and
   //! moving away from it) to π (arriving at it).
   float phase;
-  bool reaches;  //!< true if the light may come from within the disk's outer edge
+  bool reaches;  //!< true if the ray may reach radii within the disk's outer edge
 };
 
 //! Phase with which rays start their oscillation through the equatorial plane, as a function of the

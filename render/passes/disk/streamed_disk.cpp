@@ -9,8 +9,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns whether the disk layers of two stations can be used for a disk: they have its edges and
-//! pattern, and blending them is accurate enough.
+//! Returns whether the disk layers of two stations, or of a single one, can be used for a disk:
+//! their edges and pattern suit it (serves_disk()), and blending them is accurate enough.
 bool serve(const StationPair& pair, double budget_px, const DiskAppearance& disk) {
   const auto serves = [&](const std::shared_ptr<const DiskStation>& station) {
     return station && serves_disk(station->inner_r, station->outer_r, station->pattern, disk);
@@ -19,7 +19,7 @@ bool serve(const StationPair& pair, double budget_px, const DiskAppearance& disk
          (!pair.second || serves(pair.second_disk));
 }
 
-//! Returns whether a station is at the head's position. If there is only one station, it may
+//! Returns whether a station is at the head's position. A single station need not be there: it may
 //! replace another one that could not be read.
 bool is_at(const DiskStation& station, const EyeCamera& eye) {
   return std::abs(station.cells.r - eye.head_r) <= 1e-9 * eye.head_r &&

@@ -16,9 +16,9 @@ class StreamedDisk {
 
   //! Returns the disk layers at a picture's position and show time, valid until the next call.
   //! Returns nothing if the camera is not on the show's path (no `time_s`), or if the stations that
-  //! provided the picture's lens (LensChooser::choose()) have no layers for this disk. Also returns
-  //! nothing if the error of blending them exceeds the bake's budget or, for an eye beside the
-  //! path, allowed_unmeasured_px().
+  //! provided the picture's lens (LensChooser::choose()) have no layers for this disk, or layers
+  //! that cannot be joined. Also returns nothing if the error of blending them exceeds the bake's
+  //! budget or, for an eye beside the path, allowed_unmeasured_px().
   std::optional<DiskGrid> layers_for(const DiskGridRequest& request, LensChoice choice, std::optional<double> time_s);
 
  private:

@@ -131,9 +131,9 @@ void mix_doubled(const Level& from, const Level& to, float keep, float gain) {
 double level_variance(int level) { return 1.5 * (std::pow(4.0, level) - 1.0); }
 
 //! Returns the fractions of the scattered light that pass through levels 1, 2, ... All but the last
-//! are equal. The last one is such that the total has the requested variance. The fractions add up
-//! to 1, or to less if the variance is below that of level 1: the rest of the light stays in its
-//! pixel.
+//! are equal. The last one is such that the total has the requested variance, or the largest that
+//! `max_levels` levels allow. The fractions add up to 1, or to less if the variance is below that
+//! of level 1: the rest of the light stays in its pixel.
 std::vector<double> level_parts(double variance, int max_levels) {
   if (variance < level_variance(1)) {
     return {variance / level_variance(1)};

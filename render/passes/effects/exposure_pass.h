@@ -22,7 +22,7 @@ inline constexpr PassKind exposure_kind = {"exposure",
                                            /*serves_one_picture=*/false,
                                            /*in_host_memory=*/true};
 
-//! Follows the light of a show's frames with their exposure.
+//! Automatic exposure: adapts the exposure of frames to the light in them, gradually over time.
 class ExposurePass : public Pass {
  public:
   explicit ExposurePass(const AutoExposureSettings& settings) : exposure_(settings) {}
@@ -32,9 +32,9 @@ class ExposurePass : public Pass {
   void apply(const Show& show, const NumberChange& change) override;
   [[nodiscard]] bool serves(const Show& now, const Show& next) const override;
 
-  //! Returns the stops of the last frame.
+  //! Returns the automatic exposure of the last frame [stops], by which its gain was changed.
   [[nodiscard]] double stops() const { return exposure_.stops(); }
-  //! Continues from the stops that this or another pass chose for a frame at `clock_s`.
+  //! Continues from the exposure `stops` that this or another pass chose for a frame at `clock_s`.
   void follow_from(double stops, double clock_s);
 
  private:

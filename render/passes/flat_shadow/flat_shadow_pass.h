@@ -10,7 +10,8 @@ void plan_flat_shadow(PlanWriter& plan);
 //! Returns a pass for every show, because its eyes can be changed while it plays.
 std::unique_ptr<Pass> make_flat_shadow_pass(const PassInput& input);
 
-//! The shadow that each of two eyes sees if they share a camera.
+//! Darkens the picture where the eye sees the hole's shadow but its head does not, for two eyes
+//! that share the head's camera (mask_shadow()).
 inline constexpr PassKind flat_shadow_kind = {"flat_shadow",
                                               PassStage::near,
                                               [](const Show& show, ViewMode) { return share_camera(show.stereo); },

@@ -34,7 +34,7 @@ float light_left(const ProjectionOf<float>& projection, float x_px, float y_px, 
   return after < before ? after / before : 1.0F;
 }
 
-//! Side of the squares that are tested as a whole [px].
+//! Side of the squares of pixels that are skipped as a whole if no edge can be in them [px].
 constexpr int tile_px = 16;
 
 //! Range of angles from the shadow's center within which pixels may contain one of the two edges.
@@ -49,7 +49,7 @@ struct EdgeRing {
   }
 };
 
-//! A part of a picture that is tested as a whole.
+//! A square of pixels; `right` and `bottom` are not part of it.
 struct PixelSquare {
   int left, top, right, bottom;
 };

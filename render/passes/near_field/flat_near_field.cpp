@@ -11,7 +11,8 @@ namespace ergodome {
 
 namespace {
 
-//! Things closer than the distance of the eye from the head divided by this are not drawn.
+//! A thing is not drawn if its affine distance from the head is less than the eye's distance from
+//! the head, divided by this.
 constexpr double nearest_part = 0.9;
 //! Light approaches the hole in r by at most this times the affine distance times its energy at
 //! infinity.

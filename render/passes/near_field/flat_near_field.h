@@ -29,8 +29,8 @@ class FlatNearField {
  private:
   [[nodiscard]] FlatEyeBatch batch_for(const PictureView& view) const;
   [[nodiscard]] double farthest_r() const;
-  //! Returns the maximum nearness (1 / affine distance) up to which things within a radius are
-  //! searched for [1/M].
+  //! Returns the maximum nearness (1 / affine distance) up to which things at r <= `farthest_r` are
+  //! searched for [1/M]: the largest that they can have, but at most 0.9 / |offset of the eye|.
   [[nodiscard]] double max_nearness(double farthest_r) const;
   //! Returns the objects as seen by the current eye.
   [[nodiscard]] ObjectLayer look_at_objects(const PictureView& view, const RowBlock& rows) const;

@@ -47,7 +47,7 @@ class NearFieldPass::Drawing : public PassDrawing {
       : pass_(pass), picture_(picture), parts_(pass.parts_for(picture)) {}
 
   void draw(const RowBlock& rows, float* rgba) override {
-    // The disk grid is chosen after the lens, because both may use the same stations.
+    // The disk grid is chosen after the lens, which loads the baked stations that both may use.
     if (!std::exchange(has_grid_, true)) {
       find_grid();
     }

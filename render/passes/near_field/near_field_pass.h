@@ -42,7 +42,7 @@ class NearFieldPass : public Pass {
     DiskGrids heads;  //!< grids for heads of the stereo model `flat`, whose eyes share a lens
   };
 
-  //! The near field of two eyes that share a camera.
+  //! The parts that two eyes have in common if they share their head's camera.
   struct SharedCamera {
     SharedCamera(NearFieldPass& pass, const EyePicture& picture);
 
@@ -64,8 +64,9 @@ class NearFieldPass : public Pass {
   std::unique_ptr<TracedObjects> objects_;  //!< set if the show has traced objects
   std::shared_ptr<Grids> grids_;
   StreamedDisk streamed_disk_;
-  Buffer<float> flat_rows_;                      //!< rows in GPU memory of pictures of eyes that share a camera
-  std::unique_ptr<SharedCamera> shared_camera_;  //!< of the last such eye, kept for the other one
+  Buffer<float> flat_rows_;  //!< rows in GPU memory of pictures of eyes that share a camera
+  //! Near field of the last eye that shared its head's camera, kept for the head's other eye.
+  std::unique_ptr<SharedCamera> shared_camera_;
 };
 
 }  // namespace ergodome

@@ -174,7 +174,7 @@ void NearFieldPlan::plan_flat_disk(bool if_needed) {
     }
   }
   if (!may_make || !certain || needs_.traced_objects) {
-    // Pixels that show objects need rays beside a grid.
+    // Even if the disk has a grid, pixels that show objects need rays.
     flat_pass(flat_eyes_name(DiskDrawing::plain, false),
               needs_.traced_objects ? reason + ", " + plan_.why("objects") : reason,
               if_needed || (may_make && !always_.traced_objects));
@@ -211,7 +211,7 @@ void NearFieldPlan::plan_traced_objects(const std::string& objects) {
   if (!needs_.traced_objects) {
     return;
   }
-  // The number of these pixels is not known in advance.
+  // The number of pixels that see objects is not known in advance.
   if (shared_camera_) {
     plan_.pass("mark_flat_object_tiles", WorkMoment::picture, 0, 0, objects, plan_.eyes_are_together_at_times());
     plan_.pass("look_at_flat_objects", WorkMoment::picture, 0, 0, objects, true);

@@ -8,10 +8,10 @@
 
 namespace ergodome {
 
-//! Computes, for each object's center, how the hole's spin changes the lamp's ray to it. The search
-//! for rays to the rest of the object is much faster when it starts from this correction. The
-//! result is 0 without spin, for unlit objects, next to the horizon, and for objects that appear
-//! wide from the hole. There must be one outline per object.
+//! Computes, for each object's center, how the hole's spin changes the lamp's rays to it on both
+//! ways round the hole. The search for rays to the rest of the object is much faster when it starts
+//! from these corrections. They are 0 without spin, for unlit objects, for centers next to the
+//! horizon, and for objects that appear wide from the hole. `outlines` has one entry per object.
 std::vector<LampCorrections> lamp_guesses(Spacetime spacetime, const LampSource& lamp,
                                           const std::vector<ObjectSettings>& objects,
                                           const std::vector<PlacedOutline>& outlines);

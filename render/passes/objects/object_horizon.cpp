@@ -17,8 +17,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns the show times to check: those of the keys of an object's position and of the spin, and
-//! up to 15 between two of them.
+//! Returns the show times to check [s]: 0, those of the keys of an object's position and of the
+//! spin, and up to 15 between two of them, but fewer if there are many keys.
 std::vector<double> sampled_times(const Show& show, const ObjectSettings& object) {
   constexpr std::size_t max_samples = 1024;
   std::vector<double> keys_s = {0.0};
@@ -48,7 +48,7 @@ std::vector<ObjectInHorizon> objects_in_horizon(const Show& show, const ObjectMe
   std::vector<ObjectInHorizon> all;
   for (std::size_t i = 0; i < show.objects.size(); ++i) {
     const ObjectSettings& object = show.objects[i];
-    // Skips objects on orbits, which are always outside the horizon.
+    // Skips polygon objects, and objects on orbits, which are always outside the horizon.
     if (object.method != ObjectMethod::trace || object.orbit) {
       continue;
     }

@@ -18,16 +18,18 @@ namespace {
 //! Relative difference in brightness between neighboring pixels above which they get more samples.
 constexpr float visible_step = 0.2F;
 //! Square roots of the number of slices in a pixel that contains or touches the shadow's edge:
-//! first for all such pixels, then for those whose own or neighboring slices hit anything. With
-//! sixteen slices, images of the third order have gaps; with sixty-four they look like beads.
+//! first for all such pixels, then for those whose own or neighboring slices hit an image that may
+//! be thinner than a slice. With sixteen slices, images of the third order have gaps; with
+//! sixty-four they look like beads.
 constexpr int first_edge_slices = 6;
 constexpr int edge_slices = 12;
-//! Square roots of the number of slices in other pixels with thin images: first for all, then for
-//! those that need more.
+//! Square roots of the number of slices in other pixels with thin images (TileMark::thin): first
+//! for all, then for those whose own or neighboring slices hit an image that may be thinner than a
+//! slice.
 constexpr int first_thin_slices = 4;
 constexpr int thin_slices = 8;
-//! Square root of the number of slices in pixels whose images are only stretched; used after four
-//! rays.
+//! Square root of the number of slices in pixels whose images are only stretched
+//! (TileMark::stretched), if four rays are not enough (uneven_pixels()).
 constexpr int stretched_slices = 6;
 
 //! Returns the size of a pixel as a fraction of the smallest radius of the shadow.
@@ -223,8 +225,8 @@ void visit_tile(const Projection& projection, int side_px, int left, int top, in
   }
 }
 
-//! Finds tiles that extend across sheets of a picture (PictureRegion). For such a tile, the ray
-//! through its center does not represent the part beyond the edge of a cube face.
+//! Finds tiles that extend across several regions of a picture (PictureRegion: cube faces). For
+//! such a tile, the ray through its center does not represent the part beyond the edge of a face.
 class Seams {
  public:
   explicit Seams(const Projection& projection) : sheets_(picture_regions(projection)) {}

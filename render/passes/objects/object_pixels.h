@@ -21,7 +21,9 @@ class ObjectPixels {
   //! Traces the pixels that may see objects with the kernels; the others stay 0.
   void draw();
 
-  //! Returns the light and the time of the block's pixels, in host memory; see ObjectLayer.
+  //! Return for each pixel of the block, in host memory: the light and coverage of objects; the
+  //! Mino time of their light to the camera (for eyes of the model `flat`, minus their nearness).
+  //! See ObjectLayer.
   [[nodiscard]] const std::vector<float>& rgba() const { return rgba_; }
   [[nodiscard]] const std::vector<float>& time() const { return time_; }
 
@@ -53,25 +55,26 @@ class ObjectPixels {
     std::vector<std::int32_t> stretched;  //!< first sampled with four rays; outlines with slices
     std::vector<std::int32_t> fine;       //!< sampled with sixteen rays
     std::vector<std::int32_t> thin;       //!< first sampled with sixteen slices
-    //! First sampled with 36 slices; with 144 if one of them, or of a neighbor's, hits anything.
+    //! First sampled with 36 slices; with 144 if these, or a neighbor's, hit an image that may be
+    //! thinner than a slice.
     std::vector<std::int32_t> edge;
 
-    //! Returns the list to which tiles or pixels with a mark belong. The mark must not be
-    //! `nothing`.
+    //! Returns the list to which pixels of tiles with a mark belong. Also accepts `nothing`, for
+    //! tiles across several cube faces: their pixels are coarse.
     [[nodiscard]] std::vector<std::int32_t>& of(TileMark mark);
   };
 
-  //! Divides tiles for an eye of the model `flat` into smaller tiles. Omits tiles that cannot see
-  //! objects.
+  //! Divides tiles for an eye of the model `flat` into smaller tiles with a reduced reach. Omits
+  //! tiles that cannot see objects; keeps tiles across several cube faces with their reach.
   [[nodiscard]] Tiles parts_of(const Tiles& tiles, int side_px, int part_px) const;
 
   //! Collects the pixels that may see objects.
   void mark_pixels(Wanted& wanted) const;
   void mark_flat_pixels(Wanted& wanted);
 
-  //! Determines the marks of tiles, and adds the pixels of tiles that may see objects to `wanted`.
-  //! Returns the smaller tiles into which tiles are divided whose parts have to be marked
-  //! separately.
+  //! Determines the marks of tiles. Adds the pixels of tiles that may see objects, or that are
+  //! across several cube faces, to `wanted`. If the parts of a tile have to be marked separately,
+  //! returns them as smaller tiles instead.
   [[nodiscard]] std::vector<std::int32_t> mark_tiles(std::vector<std::int32_t> positions, int side_px,
                                                      Wanted& wanted) const;
 
@@ -95,7 +98,8 @@ class ObjectPixels {
   [[nodiscard]] std::vector<std::int32_t> pixels_of_thin_images(const std::vector<std::int32_t>& visited) const;
   [[nodiscard]] bool is_by_thin_image(int x, int y) const;
 
-  //! Returns those pixels of the list within the block that need more samples.
+  //! Returns those pixels of the list within the block that need more samples: their own samples
+  //! differ, or a neighbor shows another object or differs visibly in brightness.
   [[nodiscard]] std::vector<std::int32_t> uneven_pixels(const std::vector<std::int32_t>& visited) const;
 
   [[nodiscard]] bool is_uneven(int x, int y) const;

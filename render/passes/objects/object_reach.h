@@ -7,8 +7,8 @@
 namespace ergodome {
 
 //! Returns the minimum and maximum distance from the hole's center of a mesh at a placement [M]:
-//! those of its bounding sphere, but the exact minimum if the sphere comes near the hole. `radius`:
-//! radius_of(mesh) times the size.
+//! those of its bounding sphere, but the exact minimum if the sphere extends inside
+//! nearest_of_objects. `radius`: radius_of(mesh) times the size.
 RadialRange radial_range(const TriangleMesh& mesh, const ObjectPlacement& placement, double size, double radius);
 
 //! Returns the distance of a triangle from the origin.

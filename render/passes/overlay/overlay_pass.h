@@ -131,8 +131,8 @@ class OverlayPass : public Pass {
   void draw_image(const OverlayTarget& target, const Projection& projection, const Overlay& overlay, double opacity);
   TileRows draw_caption(const OverlayTarget& target, const Projection& projection, const Caption& caption,
                         double opacity);
-  //! Draws one overlay and returns the rows of tiles on which it may have drawn. `surface`:
-  //! position of the overlay (OverlaySurface).
+  //! Draws one overlay and returns the rows of tiles on which it may have drawn. `surface`: the
+  //! overlay's position, shape and size; its bounding cone is computed here.
   TileRows draw_surface(const OverlayTarget& target, const Projection& projection, Texture& texture,
                         OverlaySurface surface, double opacity);
 

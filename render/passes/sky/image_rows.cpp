@@ -55,7 +55,7 @@ inline float angle_of(float y, float x) {
     sum = sum * square + factors[k];
   }
   sum *= u;
-  // Selecting between constants avoids branches, which a compiler would generate for sums.
+  // Selects summands, because a compiler would generate branches for a selection between sums.
   constexpr auto pi = std::numbers::pi_v<float>;
   sum = (across > up ? 0.0F : 0.5F * pi) + (across > up ? sum : -sum);
   sum = (x < 0.0F ? pi : 0.0F) + (x < 0.0F ? -sum : sum);

@@ -68,8 +68,8 @@ double PolygonFilter::column_of(const glm::dvec3& direction) const {
 }
 
 void PolygonFilter::add_piece(int column, const OutlinePoint& from, const OutlinePoint& to, int depth, Sum& sum) const {
-  // A great circle of length l deviates from a straight line by l² / 8, divided by the distance
-  // from the pole, because longitude scales inversely with that distance.
+  // A great circle of length l deviates from a straight line in the map by l² / 8, divided by the
+  // distance from the pole, because longitude scales inversely with that distance.
   const glm::dvec3 chord = to.direction - from.direction;
   const double highest = std::max(std::abs(from.in_column.sine), std::abs(to.in_column.sine));
   const double from_pole = std::sqrt(std::max(1.0 - highest * highest, 0.0));

@@ -3,7 +3,7 @@
 #include "content/show/show.h"
 #include "kernels/image/shade_pixels.h"
 
-// How the sky map is shaded, and which lens channels are needed for it.
+// How the sky map is shaded, and which lens channels a picture needs, of the sky or a heat map.
 
 namespace ergodome {
 

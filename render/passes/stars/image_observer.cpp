@@ -89,7 +89,8 @@ ObservedPositions ImageObserver::observe(std::span<const RoughImage> images) con
       positions.area.data(),
       positions.frequency_ratio.data()});
   if (cameras_) {
-    // Each camera of an ODS eye sees its own energies; they are in the chart's frame.
+    // The frequency ratio is that of the camera which an ODS eye has for the direction. Directions
+    // are in the chart's frame.
     const OmniCameraOf<double> cameras = cameras_->cameras->exact(cameras_->side);
     for (std::size_t i = 0; i < images.size(); ++i) {
       const Vector3<double> direction = {static_cast<double>(positions.direction[0][i]),

@@ -24,8 +24,8 @@ inline constexpr std::size_t max_eyes = 2;
 //! or moves around the spin axis.
 bool served_alike(const StarEye& first, const StarEye& second);
 
-//! Returns whether two eyes have the same star images in the observer's frame. Their viewing
-//! directions may differ.
+//! Returns whether two eyes have the same star images in the observer's frame: same spacetime,
+//! position and velocity. Their viewing directions may differ.
 bool sees_alike(const StarEye& first, const StarEye& second);
 
 }  // namespace ergodome

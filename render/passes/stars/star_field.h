@@ -24,8 +24,8 @@ class StarField {
   //! Returns the bounds of the brightness gain by frequency shifts.
   [[nodiscard]] const ShiftGains& gains() const { return gains_; }
 
-  //! Returns the number of stars that are at least as bright as the threshold when shifted; the
-  //! result may be slightly too large.
+  //! Returns the number of stars whose illuminance, times the gain of their color class for the
+  //! threshold's frequency shift, is at least the threshold; the result may be slightly too large.
   [[nodiscard]] int count_from(const StarFloor& floor) const;
 
   //! Returns the field for kernels. put(vector) returns the address at which kernels read the

@@ -23,8 +23,8 @@ inline constexpr double rotation_margin = 0.25;
 template <class Images>
 class StarImageCache {
  public:
-  //! Returns the star images in `settings.view`, and possibly more. If none are cached, it calls
-  //! `seek(settings)`. For a camera that has turned, it first enlarges the view by
+  //! Returns the star images in `settings.view`, and possibly more. If no cached images cover the
+  //! view, calls `seek(settings)`. For a camera that has turned, the view is first enlarged by
   //! `rotation_margin`, so that the cache can be used after further turns. The reference is valid
   //! until the next call.
   template <class Seek>

@@ -123,7 +123,8 @@ class StarPass::Drawing : public PassDrawing {
     return pass_.find_points(eye, picture_.projection, settings.shutter, match);
   }
 
-  //! Copies the points to the memory in which the picture is rendered.
+  //! Passes the points to TiledStars, which draws on a GPU. Points in host memory are copied to the
+  //! GPU.
   void place() {
     const SplatSettings splat = pass_.splat_for(picture_.projection);
     if (points_.in_place.count > 0) {
@@ -194,7 +195,8 @@ StarPass::StarPass(const Show& show, Backend backend, const StarCatalogue& catal
   splat_ = splat_settings(show, spikes_);
 }
 
-//! Uploads the star field for the search on a GPU, if the backend is one.
+//! Uploads the star field for the search on a GPU, if the backend is one. Does nothing if there is
+//! no star, or if every pixel gathers its stars.
 void StarPass::search_field() {
   if (backend_ != Backend::cpu && !all_gathered_ && !field_.stars().empty()) {
     search_.emplace(backend_, field_, colours_.view());

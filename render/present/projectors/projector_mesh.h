@@ -28,9 +28,9 @@ struct ProjectorMesh {
 };
 
 //! Builds the triangles: first the whole raster without light, so that parts outside the warp get
-//! the black-level lift; then two triangles for each cell of the warp, divided along the same
-//! diagonal as in resampled_warp(), with nodes moved by the grid. Omits cells with an invalid
-//! corner.
+//! the black-level lift; then two triangles for each cell of the warp, refined by refined_for(),
+//! divided along the same diagonal as in resampled_warp(), with nodes moved by the grid. Omits
+//! cells with an invalid corner.
 ProjectorMesh projector_mesh(const WarpMesh& warp, const GridOffsets& grid);
 
 //! Values of a projector's mesh at the center of a pixel.

@@ -184,7 +184,7 @@ class ProjectorWarp::Builder {
     want(to, tiles);
   }
 
-  //! Marks all texels that a group's pixels read as needed.
+  //! Marks as needed all texels that a group's pixels read.
   static void want(const WarpGroup& group, LightTiles& tiles) {
     for (int level = 0; level < tiles.level_count(); ++level) {
       const bool finer = level > 0 && ((group.blended >> static_cast<unsigned>(level - 1)) & 1U) != 0;
@@ -197,7 +197,7 @@ class ProjectorWarp::Builder {
       const auto texel = [](float position, float scale) {
         return static_cast<int>(std::floor((position + 0.5F) * scale - 0.5F));
       };
-      // Pixels at the very end interpolate between the last two.
+      // With a margin, because pixels interpolate between neighboring texels.
       tiles.want(level, texel(group.x, wide) - 1, texel(group.x + full_scale * group.step_x, wide) + 2,
                  texel(group.y, high) - 1, texel(group.y + full_scale * group.step_y, high) + 2);
     }

@@ -113,7 +113,8 @@ std::vector<DesktopMonitor> connected_monitors() {
   for (GLFWmonitor* const monitor : monitors()) {
     DesktopMonitor made{glfwGetMonitorName(monitor), {}, {}};
     glfwGetMonitorPos(monitor, &made.screen.x_px, &made.screen.y_px);
-    // A monitor that was just unplugged has no mode; it keeps its number.
+    // A monitor that was just unplugged has no mode. It stays in the list, with an empty screen, so
+    // that the numbers of the other monitors do not change.
     if (const GLFWvidmode* const mode = glfwGetVideoMode(monitor)) {
       made.screen.width_px = mode->width;
       made.screen.height_px = mode->height;

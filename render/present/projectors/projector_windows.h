@@ -22,10 +22,11 @@ enum class WarpUse { fixed, adjusted };
 //! GPU. CUDA draws them if CUDA rendered the picture, until warps are changed.
 class ProjectorWindows {
  public:
-  //! `control` must outlive this object, and stays current. It is moved to a monitor that no
-  //! projector fills, beside the projectors' windows there if there is room, and is kept in front
-  //! of them. Without such a monitor, or with `hide_control`, it is hidden. Throws Error if a
-  //! monitor is missing, or if a window would lie outside all monitors or cannot be opened.
+  //! `control` must outlive this object, and its context stays current. The window is moved to a
+  //! monitor that no projector fills, beside the projectors' windows there if there is room, and is
+  //! kept in front of them. Without such a monitor, or with `hide_control`, it is hidden. Throws
+  //! Error if a monitor is missing, or if a projector's window would lie outside all monitors or
+  //! cannot be opened.
   ProjectorWindows(Window& control, const DomeSetup& setup, const std::vector<ProjectorPicture>& pictures,
                    bool hide_control, WarpUse use = WarpUse::fixed);
   ~ProjectorWindows();

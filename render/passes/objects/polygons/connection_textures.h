@@ -45,7 +45,7 @@ class ConnectionTexture {
 class ConnectionTextures {
  public:
   //! Returns the table for observers (or a light) in a range of radii and points in a range, with
-  //! images of `orders` orders, at least two. Creates it if necessary.
+  //! `orders` image orders; callers ask for at least two. Creates it if necessary.
   const ConnectionTexture& table(const RadialRange& observers, const RadialRange& points, int orders);
 
  private:

@@ -14,8 +14,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns whether a part's texture coordinates use the image only once, so that opposite edges of
-//! the image must not be blended.
+//! Returns whether a part's texture coordinates are all in [0, 1]. The image is then not repeated,
+//! and its opposite edges must not be blended.
 bool shows_image_once(const TriangleMesh& mesh, const MeshPart& part) {
   const auto first = mesh.indices.begin() + static_cast<std::ptrdiff_t>(part.first_index);
   return std::all_of(first, first + static_cast<std::ptrdiff_t>(part.index_count), [&](std::uint32_t index) {

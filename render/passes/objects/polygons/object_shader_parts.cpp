@@ -113,8 +113,9 @@ void see(Eye eye, vec3 place, out vec3 direction, out float time, out float dist
   time = r * eye.r * span;
   distance = node.w * time;
 }
-// Computes the aberration as in kernels/spacetime/kerr/frame_boost.h, and the ratio of the photon's
-// energy in the moving frame to that in the rest frame.
+// Returns the direction of the view in which light appears that comes from direction n of the rest
+// frame, with the aberration of kernels/spacetime/kerr/frame_boost.h. `energy`: ratio of the
+// photon's energy in the moving frame to that in the rest frame.
 vec3 view_direction(Eye eye, vec3 n, out float energy) {
   float along = dot(n, eye.boost.xyz);
   vec3 across = n - along * eye.boost.xyz;
@@ -126,7 +127,8 @@ vec3 view_direction(Eye eye, vec3 n, out float energy) {
   return eye.view * ((across + 0.5 * (with_it - against) * eye.boost.xyz) / energy);
 }
 #ifdef TURNING
-// Position of the eye for a direction of the view: omni_offset() of kernels/spacetime/trace/omni_camera.h.
+// Returns the eye's distances to the right of the head and behind it for a direction of the view:
+// omni_offset() of kernels/spacetime/trace/omni_camera.h.
 vec2 eye_offset(vec3 view) {
   float level = sqrt(dot(view.xz, view.xz) + 1e-20);
   float part = clamp((level - turning.z) * turning.w, 0.0, 1.0);
@@ -144,8 +146,9 @@ void look(vec3 place, out vec3 direction, out vec3 view, out float time) {
     float energy;
     see(eye, place, direction, time, distance_of_it);
     vec3 seen = view_direction(eye, direction, energy);
-    // The view direction is that of the point where the eye's line of sight meets a sphere of
-    // radius 1 around the head. Both eyes see a point of that sphere in the same view direction.
+    // The view direction is that of the point where the eye's line of sight meets a sphere around
+    // the head, whose radius, the convergence distance, is 1 here. Both eyes see a point of that
+    // sphere in the same view direction.
     float along = dot(seen, shift);
     vec3 next = shift + (sqrt(max(along * along + 1.0 - dot(shift, shift), 0.0)) - along) * seen;
     bool found = distance(next, view) < 3e-6;
@@ -210,7 +213,8 @@ float lens_radius(float angle) {
   }
   return angle / lens.z;
 }
-// Returns a position on the dome, with components to the right, to the front and to the zenith.
+// Returns the point of the dome that the viewer sees in a direction of the view, in radii of the
+// dome, with components to the right, to the front and to the zenith.
 vec3 dome_place(vec3 view) {
   vec3 at = view;
   if (viewer.w > 0.0) {
@@ -245,7 +249,7 @@ bool torn_by_projection(vec3 a, vec3 b, vec3 c) {
     vec3 q = dome_place(b);
     vec3 r = dome_place(c);
     // The direction opposite the zenith is mapped to a whole circle. An orthographic lens sees
-    // nothing behind it.
+    // nothing below the dome's horizontal plane.
     float highest = max(p.z, max(q.z, r.z));
     float lowest = min(p.z, min(q.z, r.z));
     return (law == 3 && lowest < 0.0) || (highest < -0.3 && (wide(p.xy, q.xy) || wide(q.xy, r.xy) || wide(r.xy, p.xy)));

@@ -21,17 +21,19 @@ enum ObjectUniform : int {
   //! Vec4: axis and stretch of the aberration from the rest frame at the eye (e_r, e_θ, e_φ) to the
   //! frame of the moving observer.
   uniform_boost = 6,
-  uniform_kind = 7,                //!< int: ProjectionKind
-  uniform_mirror = 8,              //!< float: -1 for a picture as seen from outside
-  uniform_screen = 9,              //!< vec4: half sizes and center of a flat screen or a cylinder
-  uniform_law = 10,                //!< int: LensLaw
-  uniform_lens = 11,               //!< vec4: sine and cosine of the tilt, half angle, scale
-  uniform_polynomial = 12,         //!< vec4
-  uniform_viewer = 13,             //!< vec4: position in the dome, and 1 if that is not its center
-  uniform_tessellation = 14,       //!< vec4: MaxTessLevel, a, b, torn
+  uniform_kind = 7,         //!< int: ProjectionKind
+  uniform_mirror = 8,       //!< float: -1 for a picture as seen from outside
+  uniform_screen = 9,       //!< vec4: half sizes and center of a flat screen or a cylinder
+  uniform_law = 10,         //!< int: LensLaw
+  uniform_lens = 11,        //!< vec4: sine and cosine of the dome's tilt, half angle and scale of the lens
+  uniform_polynomial = 12,  //!< vec4: coefficients of the polynomial lens law
+  uniform_viewer = 13,      //!< vec4: position in the dome [radii], and 1 if that is not its center
+  //! Vec4: the paper's MaxTessLevel, a and b (eqs. 18 and 19), and the factor by which a triangle
+  //! must appear enlarged to count as torn by the hole.
+  uniform_tessellation = 14,
   uniform_color = 15,              //!< vec3
   uniform_checker = 16,            //!< vec3: columns, rows, dark; no checker if columns is 0
-  uniform_textured = 17,           //!< int
+  uniform_textured = 17,           //!< int: 1 if this part of the mesh has an image
   uniform_light = 18,              //!< vec4: position and strength; the surface is emissive if the strength is 0
   uniform_light_table_range = 19,  //!< vec4: like uniform_table_range, for the light
   //! Int: number of image orders in the observer's table; the light's table has two.
@@ -40,7 +42,7 @@ enum ObjectUniform : int {
   //! Vec4: ODS eyes as in OmniCameraOf: offset, inverse of the convergence distance, start of the
   //! fade, scale of the fade.
   uniform_omni = 22,
-  uniform_inverse_reach = 23,   //!< float
+  uniform_inverse_reach = 23,   //!< float: 1 / radius within which the polynomials of ODS eyes are valid [1/M]
   uniform_degree = 24,          //!< int: degree of the polynomials
   uniform_face_from_view = 25,  //!< mat3
   uniform_beside = 26,          //!< float: distance of an eye of the model `flat` to the right of the head [M]

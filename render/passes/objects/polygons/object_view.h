@@ -8,9 +8,9 @@ namespace ergodome {
 //! Parameters of an eye for shaders: the rest frame (e_r, e_θ, e_φ) at its position, and the
 //! transformations from that frame to its view.
 struct ObjectView {
-  double r;                      //!< [M]
+  double r;                      //!< radius of the eye [M]
   Vector3<double> axes[3];       //!< e_r, e_θ, e_φ in pseudo-Cartesian components
-  double view_from_frame[3][3];  //!< rotation matrix, row by row
+  double view_from_frame[3][3];  //!< rotation from `axes` to the view's axes, row by row
   //! Rotation to the axes of a cube face; identity for other projections.
   double face_from_view[3][3];
   Vector3<double> boost_axis;  //!< direction of the observer's motion

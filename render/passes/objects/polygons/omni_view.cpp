@@ -15,9 +15,9 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t omni_numbers = 4 * omni_groups;
-//! Errors of the fit: of directions [rad], and relative errors of radii. The degree is increased
-//! until the error is at most `fine_omni_fit`, about the rounding error of float; at the maximum
-//! degree, `coarsest_omni_fit` is accepted.
+//! Accepted errors of the fit: absolute errors of unit vectors and velocities, relative errors of
+//! radii. The degree is increased until the error is at most `fine_omni_fit`, about the rounding
+//! error of float; at the maximum degree, `coarsest_omni_fit` is accepted.
 constexpr double fine_omni_fit = 1e-6;
 constexpr double coarsest_omni_fit = 1e-4;
 

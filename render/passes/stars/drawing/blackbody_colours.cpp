@@ -26,7 +26,8 @@ const std::vector<float>& shared_entries() {
     std::vector<float> entries(4 * static_cast<std::size_t>(count));
     parallel_for(count, 64, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) {
-        // The exact temperature that the kernels assign to the entry, including float rounding.
+        // ln of the temperature that the kernels assign to the entry, with the rounding errors of
+        // `first` and `step`, which are floats.
         const double log_temperature = static_cast<double>(first) + i * static_cast<double>(step);
         const Vector3<double> xyz = blackbody_tristimulus(std::exp(log_temperature));
         float* entry = entries.data() + 4 * static_cast<std::size_t>(i);

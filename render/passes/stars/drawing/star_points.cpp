@@ -32,7 +32,8 @@ class PointList {
     }
   }
 
-  //! Adds light spread evenly along a line, as points at most half a pixel apart.
+  //! Adds light spread evenly along a line, as points at most half a pixel apart, but at most
+  //! max_line_points. Adds nothing for lines entirely beyond one side of the region.
   void add_line(const double (&from)[2], const double (&to)[2], const Vector3<float>& illuminance, bool has_spikes) {
     if (passes_by(from, to, has_spikes ? region_.spiked_reach_px : region_.reach_px)) {
       return;

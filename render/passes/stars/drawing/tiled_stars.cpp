@@ -15,7 +15,7 @@ namespace {
 //! Number of threads that share the tiles of a point with spikes, row by row.
 constexpr int threads_of_spikes = 16;
 
-//! Throws Error with a remedy if the GPU cannot list that many (point, tile) pairs.
+//! Throws Error with a remedy if `members`, a number of (point, tile) pairs, exceeds `maximum`.
 void require_listable(double members, double maximum, const char* remedy) {
   if (members > maximum) {
     throw Error("stars", "cover more pixels than the GPU can list",

@@ -18,7 +18,8 @@ struct GatheredStar {
   float x_inside;         //!< horizontal position in the pixel, 0 to 1, linearly interpolated
   float y_inside;         //!< vertical position in the pixel, 0 to 1 downwards, likewise
   float frequency_ratio;  //!< g = ν_observed / ν_emitted, mean of the pixel's corners
-  //! Factor of the solid angle, mean over the pixel; negative for mirrored images.
+  //! Solid angle of the pixel divided by that of its polygon on the sky; negative for mirrored
+  //! images.
   float magnification;
   Vector3<float> illuminance;  //!< linear sRGB whose luminance part is in lx
 };

@@ -24,10 +24,11 @@ constexpr double near_px = 2.0;
 constexpr double min_float_distance = 1e-3;
 //! Number of rounds (Newton steps) after which most images are found.
 constexpr int first_rounds = 4;
-//! Maximum number of rounds for candidates that still converge after `first_rounds`.
+//! Number of rounds for candidates that are not lost (`lost_miss`) after `first_rounds`. It is the
+//! maximum in single precision; in double precision there may be more.
 constexpr int on_way_rounds = 6;
-//! Maximum number of double-precision rounds for candidates next to caustics, far from their
-//! initial position.
+//! Maximum number of double-precision rounds, for candidates that are near an image after
+//! `on_way_rounds` (`hopeless_miss`).
 constexpr int max_course_rounds = 24;
 //! A candidate whose `miss` exceeds this after the first rounds does not converge; in units of the
 //! distance to the shadow's edge.
@@ -118,7 +119,8 @@ double fold_short_of(double s, double s_after, double length) {
 }
 
 //! Returns whether a candidate is not an image because its star is beyond a fold of the sky: the
-//! last two estimates of the distance to the fold agree, and it is larger than the star's disk.
+//! last two estimates of the star's distance from the fold agree within a factor of 2, and the
+//! distance is larger than the diameter of the star's disk and `min_shortfall`.
 bool is_beyond_fold(const StarCandidate& c, CandidateCourse& course) {
   constexpr double max_disagreement = 2.0;
   constexpr double min_disks = 2.0;
@@ -186,7 +188,8 @@ Start double_start(const StarCandidate& c, const ImageSearch& search) {
 //! `near_px`, and it is not too faint. Most candidates there are not images, so only such ones get
 //! the more expensive rays.
 bool needs_finest(const StarCandidate& c, const ImageSearch& search) {
-  // At this distance from its position, an image has about its final brightness.
+  // A candidate whose miss is below this fraction of the distance to the shadow's edge has about
+  // the brightness of the image.
   constexpr double hair = 0.05;
   constexpr double slack = 4.0;
   const bool beside_caustic =

@@ -19,8 +19,8 @@ struct CandidateCourse {
   double miss = 0.0;
   //! Smaller singular value of the lens map, with the sign of the image's parity.
   double smaller = 0.0;
-  //! Angle between the star and the nearest fold of the lens map before it, estimated from the last
-  //! two rays [rad]; 0 if no fold was found.
+  //! Angle between the star and the nearest fold of the lens map, where the sky turns back before
+  //! it reaches the star [rad]. It is estimated from two rays; 0 if no fold was found.
   double short_of = 0.0;
 };
 

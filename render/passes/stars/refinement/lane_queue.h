@@ -98,7 +98,8 @@ class LaneQueue {
         waiting_[*kinds[i]].push_back(things[i]);
       }
     }
-    // This thread takes one lot itself.
+    // Wakes the other threads if there is another lot than the one that this thread takes next, or
+    // if all work is done.
     const std::size_t lots = lots_waiting();
     if (lots > 1 || (lots == 0 && in_work_ == 0)) {
       changed_.notify_all();

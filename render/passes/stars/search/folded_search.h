@@ -38,7 +38,7 @@ class FoldedSearch {
   std::vector<Parts> level_;  //!< parts by number of halvings
   Parts regular_;
   Parts folded_;
-  std::vector<float> solved_;      //!< output of the kernels
+  std::vector<float> solved_;      //!< output of the kernel that finds the roots in parts
   std::vector<int> counts_;        //!< number of roots per pair
   std::vector<FoldedRoot> roots_;  //!< room for max_roots per pair
 };

@@ -44,8 +44,8 @@ PatchSearch::PatchSearch(Backend backend, const StarField& field, const Blackbod
   make_room(wanted);
 }
 
-//! Enlarges the lists to at least these lengths. If memory runs out, all capacities are left at
-//! zero.
+//! Enlarges the lists to at least these lengths. If memory runs out, Buffer throws, and all
+//! capacities are left at zero.
 void PatchSearch::make_room(const Counts& wanted) {
   const auto count_of = [&](int list) { return static_cast<std::size_t>(wanted[static_cast<std::size_t>(list)]); };
   const auto room_of = [](std::size_t size) { return static_cast<std::int32_t>(size); };
@@ -113,7 +113,8 @@ void PatchSearch::run(PatchSearchBatch& batch, PatchSearchStep step, int count, 
 }
 
 //! Searches some of the pairs of folded patches. Only the GPU knows the number of parts in each
-//! step: reading it would take longer than running threads that have nothing to do.
+//! step, so steps run for the capacity of their list: reading the number would take longer than
+//! running threads that have nothing to do.
 void PatchSearch::search_slice(PatchSearchBatch batch, int pairs) {
   clear(backend_, counts_, 4, halved);
   run(batch, PatchSearchStep::see_folded, pairs);

@@ -63,7 +63,8 @@ class PlacedPatches {
 //! order.
 class PatchSearch {
  public:
-  //! `colours` must be in host memory. `room`: initial capacity for pairs and images.
+  //! `colours` must be in host memory. `room`: initial capacity of each list: of pairs, images and
+  //! parts.
   PatchSearch(Backend backend, const StarField& field, const BlackbodyTable& colours, int room = 1 << 16);
 
   [[nodiscard]] Backend backend() const { return backend_; }

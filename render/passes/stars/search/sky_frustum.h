@@ -11,7 +11,7 @@ struct SkyFrustum {
 };
 
 //! Returns the coordinate frame of a patch whose center is in the direction of the unit vector
-//! `axis`.
+//! `axis`; its first axis is along the patch's longer direction (u or v).
 PatchFrame frame_of(const BezierPatch& patch, const Vector3<double>& axis);
 
 //! Transforms a patch to the coordinates of a frame.
@@ -21,7 +21,7 @@ BezierPatch in_frame(const BezierPatch& patch, const PatchFrame& frame);
 //! its frame and lies within 90 degrees of its axis.
 SkyFrustum frustum_of(const BezierPatch& patch, const PatchFrame& frame, double error = 0.0);
 
-//! Returns bounds of a frustum's coordinates, slightly enlarged.
+//! Returns bounds of z and azimuth in a frustum, slightly enlarged.
 SkyBounds bounds_of(const SkyFrustum& frustum);
 
 //! Returns an approximate upper bound of the solid angle of a frustum [sr].

@@ -160,8 +160,9 @@ void sort_out(const Search& search, std::span<const RoughImage> rough, Sought& s
   }
 }
 
-//! Sorts images that a GPU found in nondeterministic order by distance to the shadow's edge. Rays
-//! in adjacent SIMD lanes then take similar numbers of steps, which reduces the time by a quarter.
+//! Sorts the images that a GPU found, whose order is nondeterministic, by distance to the shadow's
+//! edge, and removes non-finite ones. Rays in adjacent SIMD lanes then take similar numbers of
+//! steps, which reduces the time by a quarter.
 void put_in_order(std::vector<RoughImage>& rough) {
   // NaN cannot be sorted.
   std::erase_if(rough,

@@ -27,8 +27,8 @@ constexpr double few_stars_folded = 4.0;
 //! halved less often get more.
 constexpr int search_halvings = 8;
 constexpr int leaves_a_chunk = 16;
-//! Cosine of the maximum half angle of the cone that contains a patch. Wider cones would include
-//! stars that the patch does not contain.
+//! Cosine of the maximum half angle of the cone that contains a narrow patch (Extent). The bounds
+//! of wider patches would include many stars that the patch does not contain, so these are halved.
 constexpr double widest_cosine = 0.94;
 //! Solid angle on the sky below which large magnifications are neglected [sr]. Next to a critical
 //! curve images may be arbitrarily bright, but this is rare: in a patch of solid angle w on the
@@ -112,7 +112,7 @@ float max_brighter(float by_error, PatchShape shape) {
   return maximum;
 }
 
-//! Returns the axis along which a patch is longer on the sky.
+//! Returns the axis of the chart along which a patch is longer on the sky: 0 for γ, 1 for s.
 int longer_axis(const BezierPatch& patch) {
   const auto distance = [&](int i, int j) {
     const Vector3<double> d = control_point(patch, i) - control_point(patch, j);
@@ -166,7 +166,7 @@ void StarPatches::join(PatchRoom& room) {
                                 [](const std::vector<StarPatch>& part) { return part.size(); });
   patches_ = std::move(room.patches);
   if (patches_.capacity() < first.back()) {
-    // Its contents are not needed.
+    // Frees the memory first, because resize() would copy its contents, which are not needed.
     patches_ = {};
   }
   patches_.resize(first.back());
@@ -190,11 +190,12 @@ void StarPatches::set_error(float error_px, StarPatch& patch) const {
   constexpr float corrected_slope_error = 7.1F;
   constexpr float exact_magnification = 6e-3F;
   constexpr float between_checks = 3.0F;
-  // The first-order correction is not valid beyond this error.
+  // The first-order correction is not valid if a check ray is displaced by more than this fraction
+  // of a leaf's side.
   constexpr float max_displaced = 0.03F;
   const LeafErrors errors = corrected_.errors(patch.leaf);
   const float magnification_error = slope_error * errors.displaced;
-  // Nodes are traced in single precision.
+  // Relative rounding error of the magnification, because nodes are traced in single precision.
   const auto rounding = static_cast<float>(edge_rounding / edge_distance(chart_, static_cast<double>(patch.s)));
   patch.brighter = 1.0F + between_checks * (magnification_error + rounding);
   const float left_px = error_px * std::min(errors.left / std::max(errors.displaced, 1e-30F), 1.0F);

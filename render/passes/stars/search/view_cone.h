@@ -6,7 +6,8 @@
 
 namespace ergodome {
 
-//! Returns the cone that contains a picture, enlarged by `margin` [rad].
+//! Returns the cone that contains a picture, enlarged by `margin` [rad]; the whole sky for pictures
+//! that wrap around and for cubes.
 ViewCone view_cone(const EyeCamera& eye, const Projection& projection, double margin);
 
 //! Returns the view enlarged by `margin` [rad].
