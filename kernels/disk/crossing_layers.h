@@ -150,7 +150,7 @@ struct LayerState {
 
   Mask active;
   Mask straight;
-  Real side;   //!< side of the plane: sign of z
+  Real side;   //!< side of the plane on which the ray is now: sign of its z
   Real count;  //!< number of crossings so far
   StraightRates<T> rates;
 };

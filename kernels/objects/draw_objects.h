@@ -123,7 +123,9 @@ struct FlatReach {
 struct FlatObjectTileBatch {
   ObjectTileBatch tiles;
   FlatEyeSight sight;
-  double part;             //!< length of line that one ray represents, as the head sees it [rad]
+  //! Maximum length of a part of an eye's line of sight, as the head sees it [rad]. One ray of the
+  //! head represents each part.
+  double part;
   const FlatReach* along;  //!< one per tile: part of the line of sight to search
   FlatReach* reach;        //!< one per tile: where objects may be, if any
 };

@@ -142,7 +142,7 @@ ERGO_HD CubeFace face_of(const Vector3<double>& view) {
 }
 
 //! Computes the position of a direction on the plane of a face: the inverse of
-//! direction_from_face(). Returns false for directions beside or behind the plane.
+//! direction_from_face(). Returns false for directions that do not meet the plane.
 ERGO_HD bool face_from_direction(CubeFace face, const Vector3<double>& view, double& a, double& b) {
   double ahead = 0.0;
   switch (face) {
@@ -173,8 +173,9 @@ ERGO_HD bool face_from_direction(CubeFace face, const Vector3<double>& view, dou
   return true;
 }
 
-//! Computes the image position of a view direction: the inverse of direction_from_cube(). Returns
-//! false for directions beside or behind a single face.
+//! Computes the image position of a view direction: the inverse of direction_from_cube(). A single
+//! face is extended to its plane, so x and y may be outside [-1, 1]; returns false for directions
+//! that do not meet the plane.
 ERGO_HD bool cube_from_direction(const CubePicture& cube, const Vector3<double>& view, double& x, double& y) {
   const CubeFace face = cube.layout == CubeLayout::face ? cube.face : face_of(view);
   double a = 0.0;

@@ -2,8 +2,8 @@
 
 namespace ergodome {
 
-//! Current steering of a camera by keys, mouse and controllers together: rates from -1 to 1 along
-//! the camera's axes.
+//! Steering of a camera along its own axes, by keys, mouse and controllers together: rates from -1
+//! to 1, or amounts of motion (see SteeringInput).
 struct Steering {
   double right = 0.0;
   double up = 0.0;
@@ -19,8 +19,10 @@ struct Steering {
 
 //! Steering input of a frame.
 struct SteeringInput {
-  Steering rates;    //!< from keys, buttons and sticks: rates, which apply while these are held
-  Steering amounts;  //!< motion of the mouse: rotations [rad], translations [distances], zoom in steps of the wheel
+  Steering rates;  //!< from keys, buttons and sticks: rates, which apply while these are held
+  //! Motion of the mouse: rotations [rad], translations [distances to the guard surface], zoom in
+  //! steps of the wheel.
+  Steering amounts;
 };
 
 }  // namespace ergodome

@@ -94,8 +94,8 @@ void morph(const GltfFile& file, const tinygltf::Primitive& primitive, const std
   }
 }
 
-//! Returns the matrix that places a vertex: the weighted sum of its joints' matrices, or the
-//! node's.
+//! Returns the matrix that places a vertex: the weighted mean of its joints' matrices, or the
+//! node's if there are no joints or all weights are 0. Weights need not add up to 1.
 glm::dmat4 matrix_of(const GltfFile& file, const Shape& shape, const GltfPlacement& placement, std::size_t vertex) {
   if (placement.joints.empty() || shape.joints.values.empty() || shape.weights.values.empty()) {
     return placement.world;

@@ -25,9 +25,9 @@ struct TaylorCoefficients {
   //! As in RayStart. For lanes whose light moves only inwards, the members below have other values,
   //! which put X + √R in place of Δ (drag_rate() in runge_kutta.h).
   bool ingoing;
-  RealOf<T> lapse_u;     //!< -2; 0 for light that moves only inwards
-  T lapse_u2;            //!< a²; a² - a L for light that moves only inwards
-  RealOf<T> lapse_rate;  //!< 0; -s for light that moves only inwards, s = √C + 1
+  RealOf<T> lapse_u;     //!< factor of u in Δ u²: -2; 0 for light that moves only inwards
+  T lapse_u2;            //!< factor of u²: a²; a² - a L for light that moves only inwards
+  RealOf<T> lapse_rate;  //!< factor of du/dh: 0; -s for light that moves only inwards, s = √C + 1
   //! 0; a / s for light that moves only inwards (drag_u is then 0 and drag_u2 is -a K / s).
   RealOf<T> drag_lapse;
 };
@@ -108,7 +108,7 @@ ERGO_HD T square_coefficient(const T* f, int k) {
 //! Fills the series from the state at h = 0. Rates and h are in the scaled time of the
 //! coefficients.
 //!
-//! The equations are those of rate_of() and drag_rate() in runge_kutta.h, with B for -(C + 2 a²
+//! The equations are those of rate_of() and drag_rate() in runge_kutta.h. `bend` (B) is -(C + 2 a²
 //! m_z²).
 template <int Order, class T>
 ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayState<T>& state,

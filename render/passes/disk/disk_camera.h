@@ -41,7 +41,8 @@ struct DiskChartCamera {
   CameraStation rain;
   //! True if the camera is on the equator: the sky at -γ then mirrors that at γ.
   bool mirrored;
-  std::vector<float> polar_angle;  //!< polar angles of the shadow's edge
+  //! Polar angles α of the shadow's edge at equal steps of γ [rad]; the memory of `edge`.
+  std::vector<float> polar_angle;
   EdgeCurve edge;
   DiskGridCamera camera;
 };

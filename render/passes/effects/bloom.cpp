@@ -78,7 +78,8 @@ float fold_pixels(const float* folded, int first, int channel, const std::array<
   return sum;
 }
 
-//! Calls body(y, scratch) for all rows in parallel. Each thread has a separate `scratch`.
+//! Calls body(y, scratch) for all rows, in bands that run in parallel. Each band has its own
+//! `scratch` of scratch_size floats.
 template <class Body>
 void for_rows(int rows, std::size_t scratch_size, const Body& body) {
   const int bands = (rows + band_rows - 1) / band_rows;

@@ -27,7 +27,7 @@ class ShellPass {
   //! Returns the radius of the outermost visible shell [M]; 0 if there is none.
   [[nodiscard]] double outermost_r() const;
 
-  //! Returns the repaired texels of each shell's texture.
+  //! Returns the numbers of repaired texels in each shell's texture.
   [[nodiscard]] const std::vector<RepairedTexels>& repaired() const { return repaired_; }
 
   //! Memory of a shell without its texture [bytes].

@@ -55,7 +55,8 @@ class StarPatches {
  public:
   //! Computes patches for the search of images of at least `faintest` lx. Patches are finer where
   //! more stars may have such images. If `station` was not built with GridSettings::inverted, all
-  //! images need rays. Uses the memory in `room`.
+  //! images need rays. Takes the memory of `room.patches`, which given_up() returns; `room` is not
+  //! needed afterwards.
   StarPatches(const LensStation& station, const StarField& field, const ImageLight& light, float faintest,
               const GridExactness& exactness, PatchRoom& room);
   StarPatches(StarPatches&&) = default;
