@@ -50,8 +50,8 @@ class Playback {
   CommandOutcome apply(const TransportCommand& command);
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
 
-  //! Advances by one frame. Call it before reading the time, so that all parts of a frame use the
-  //! same instant.
+  //! Sets instant() to the clock's current time, after following an external clock. Call it at the
+  //! start of a frame and after its commands, so that all parts of a frame use the same instant.
   const ShowInstant& advance();
   [[nodiscard]] const ShowInstant& instant() const { return instant_; }
   //! Records that the picture of the latest or an earlier instant was shown. Frames skipped since

@@ -115,7 +115,7 @@ DomePictures::DomePictures(DomeSetup setup, MaskDetail detail)
       files_[i].warp = std::monostate{};
     }
     masks_.push_back(has_computed_mask(i) ? pictures_[i].blend : BlendMap{});
-    // Only computed masks have previews.
+    // Computed masks that were read from files are not previews.
     coarse_.push_back(detail == MaskDetail::preview && has_computed_mask(i) && read_.projectors[i].blend_mask.empty() &&
                       !read_.projectors[i].warp);
     any = any || has_computed_mask(i);

@@ -58,7 +58,8 @@ struct WarpMesh {
 struct SurfaceMesh {
   int columns = 0;
   int rows = 0;
-  std::vector<Vector3<float>> points;  //!< [m], x right, y up, z back for a viewer who faces the front; NaN if unknown
+  //! [m] from the dome's center: x right, y up, z back, facing the front; NaN if unknown.
+  std::vector<Vector3<float>> points;
 };
 
 //! Throws Error, which names `location`, unless both sides are 2 to max_mesh_side and there are at

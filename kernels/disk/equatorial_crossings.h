@@ -28,7 +28,7 @@ struct CrossingBounds {
   S horizon_r;
   S min_u;  //!< only crossings with u between min_u and max_u count
   S max_u;
-  S innermost_u;  //!< rays end at this u
+  S innermost_u;  //!< rays end beyond this u, except on their way out of the horizon
   S outermost_u;  //!< outgoing rays end at this u
 };
 

@@ -4,7 +4,8 @@
 #include "kernels/core/transcendental.h"
 #include "kernels/image/light_texels_kernel.h"
 
-// Computes the light levels of a picture, one tile per index.
+// Computes a picture's light for projectors, and its averages at half the size, a quarter, and so
+// on. Each index is one tile.
 namespace ergodome::inline ERGO_TARGET {
 
 //! Returns a^p for a >= 0 and p > 0, to a few units in the last place times the size of the

@@ -121,8 +121,8 @@ std::string checked_language(std::string_view location, const CommandArgument& a
               spoken.empty() ? "it has only one language" : fmt::format("choose from {}", fmt::join(spoken, ", ")));
 }
 
-//! Returns the index of the chapter with a title: first an exact match, then ignoring case; first
-//! in the current language, then in others.
+//! Returns the index of the chapter with a title: first an exact match, then ignoring case, each
+//! first in the current language, then in others. Throws Error if no chapter has the title.
 double index_of_title(std::string_view location, const std::string& title, const std::vector<ChapterStatus>& chapters) {
   const auto as_it_is = [](const std::string& text) { return text; };
   const auto find = [&](const auto& change, bool all) {

@@ -68,7 +68,7 @@ class PixelLines {
   }
 
  private:
-  //! Overlap of parts, since neighbors do not meet to the last digit.
+  //! Overlap of parts, as a fraction of their width, since neighbors do not meet to the last digit.
   static constexpr double overlap = 1e-3;
 
   //! A direction, and how it moves as the head sees it. Coordinates are on the plane that touches

@@ -109,7 +109,9 @@ struct RayLength {
   double affine_distance;
 };
 
-//! Builds the ray in terms of observer and point, from the rates at both ends and the length.
+//! Builds the ray in terms of observer and point, from |du/dφ| at the far and the near point and
+//! the length. If it `turns` between them, `turn_side` is 1 for a turn at the smallest radius, -1
+//! for one at the largest.
 ERGO_HD ConnectingRay ray_of(const Endpoints& ends, double inverse_b, double rate_far, double rate_near, bool turns,
                              double turn_side, const RayLength& length) {
   // `start` and `end` are du/dφ at the far and the near point, on the way from far to near: inwards

@@ -136,7 +136,9 @@ class OverlayPass : public Pass {
   TileRows draw_surface(const OverlayTarget& target, const Projection& projection, Texture& texture,
                         OverlaySurface surface, double opacity);
 
-  //! Returns the image of a caption's text, with a resolution that is sufficient for a picture.
+  //! Returns the image of a caption's text, with a resolution that is sufficient for a picture
+  //! unless the text is too large; valid until the next call. `width`: where lines break [rad];
+  //! `angle_of_px` [rad].
   SetCaption& set_for(const Caption& caption, const std::string& text, double width, double angle_of_px);
   void forget_old_captions();
   const PictureTiles& tiles_of(const Projection& projection);
