@@ -57,14 +57,14 @@ struct BudgetChoice {
 //! Chooses from measured settings; there must be at least one.
 //!
 //! For an error alone: the cheapest setting within it. For a rate alone: the most accurate setting
-//! in time. For both: the cheapest that meets both; if there is none, the cheapest within the error
-//! or the most accurate in time, as `first` says. If not even that half can be met: the most
-//! accurate setting if it is the error, the cheapest if it is the rate. The cheapest has the
-//! shortest frame time. Where times are compared, those within 5 % count as equal, and the smaller
-//! error decides; where errors are compared, those within 5 % count as equal, and the shorter time
-//! decides. The filter of the sky map differs from the first setting's only if the rate requires
-//! it, because the measured errors do not include the filter. Values that were not measured count
-//! as infinite.
+//! that is fast enough. For both: the cheapest that meets both; if none does, `first` chooses
+//! between the cheapest within the error and the most accurate that is fast enough. If not even
+//! that half can be met: the most accurate setting if it is the error, the cheapest if it is the
+//! rate. "Cheapest" means the shortest frame time. Where times are compared, those within 5 % count
+//! as equal, and the smaller error decides; where errors are compared, those within 5 % count as
+//! equal, and the shorter time decides. The filter of the sky map differs from the first setting's
+//! only if the rate requires it, because the measured errors do not include the filter. Values that
+//! were not measured count as infinite.
 BudgetChoice choose_setting(std::span<const MeasuredSetting> settings, const Budget& budget, BudgetFirst first);
 
 }  // namespace ergodome

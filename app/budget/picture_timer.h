@@ -34,8 +34,8 @@ class PictureTimer {
   //! each size was timed. The budget of `quality` is in pixels of the whole picture.
   [[nodiscard]] std::optional<PictureTime> time(const FrameQuality& quality);
 
-  //! Return the time and the width of the picture that was drawn fastest, usually a small one;
-  //! NaN and 0 if none was drawn. A picture of the full width takes at least as long.
+  //! Return the time and the width of the picture that was drawn fastest, usually a small one. They
+  //! are NaN and 0 if none was drawn. A picture of the full width takes at least as long.
   [[nodiscard]] double quickest_ms() const { return quickest_ms_; }
   [[nodiscard]] int quickest_px() const { return quickest_px_; }
 

@@ -73,7 +73,7 @@ class PlayBudget {
   double lens_share_ = 1.0;  //!< factor on the rung's lens budget
 };
 
-//! What the operator chose for a show that plays.
+//! The operator's choices for a running show.
 struct PlayChoice {
   Budget budget;
   int size_px = 1024;       //!< width of one eye's whole picture

@@ -41,8 +41,8 @@ std::vector<Rung> settings_ladder(std::span<const MeasuredSetting> settings, con
                                   const LadderLimits& limits);
 
 //! Returns the index of the first rung whose predicted time is at most foretold_share of the frame
-//! time. If there is none, or if no time is known, returns that of the first rung with the smallest
-//! pictures; the RateKeeper continues from there.
+//! time. If no rung is that fast, or if no time is known, returns the index of the first rung with
+//! the smallest pictures; the RateKeeper continues from there.
 std::size_t first_rung(std::span<const Rung> ladder, double frame_ms);
 
 //! Maximum share of the frame time that the first rung may be predicted to take; the window needs

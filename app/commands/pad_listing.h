@@ -7,8 +7,9 @@
 
 namespace ergodome {
 
-//! Prints the connected controllers, each with its decoder, or why it cannot be used, and the table
-//! of `settings` that applies to it; then the path `file` of the settings, empty if there is none.
+//! Prints each connected controller with its decoder, or why it cannot be used, and with the table
+//! of `settings` that applies to it. Then prints `file`, the path of the settings, which is empty
+//! if there is no such file.
 void list_pads(HidApi& api, const PadSettings& settings, const std::filesystem::path& file);
 
 //! Adds a copy of the default settings for each connected controller that has none of its own, and

@@ -53,8 +53,8 @@ class OrbitRide {
   //! Returns the camera's proper time since the ride began [M].
   [[nodiscard]] double proper_time() const { return proper_time_; }
 
-  //! Returns the camera's proper time to the smallest radius of a ride through the horizon [M];
-  //! nothing if that is too far ahead to compute.
+  //! Returns the camera's proper time to the smallest radius of a ride through the horizon [M].
+  //! Returns nothing if that is too far ahead to compute.
   [[nodiscard]] std::optional<double> left() const { return left_; }
 
   //! Returns whether the clock has almost or quite stopped, because the orbit leads out of the

@@ -40,8 +40,8 @@ struct PadSnapshot {
   [[nodiscard]] double last_input_s() const;
 };
 
-//! Finds, opens and reads controllers on a separate thread. They may come and go at any time;
-//! nothing throws once it runs.
+//! Finds, opens and reads controllers on a separate thread. They may come and go at any time. Once
+//! the thread runs, no function throws.
 class PadHub {
  public:
   //! `now_s` returns seconds from an arbitrary origin; by default, those since construction by the

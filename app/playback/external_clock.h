@@ -55,8 +55,8 @@ struct ChaseSettings {
   double max_slew = 0.1;
 };
 
-//! State of following a clock: nothing received yet; following; running on alone for a moment;
-//! stopped because nothing arrives.
+//! State of following a clock, in this order: nothing received yet, following, running on alone for
+//! a moment, stopped because nothing arrives.
 enum class ChaseState { waiting, following, freewheeling, held };
 
 //! Makes a show's clock follow an external one.

@@ -125,8 +125,8 @@ class WatchedShows {
   //! Watches a show's files and makes it the running one.
   void run(const Show& show, FileWatch::WallTime read_at, ShowReload::Loader load);
 
-  //! Returns a version of the running show that was saved since the last call or while it waited,
-  //! or why there is none.
+  //! Returns a version of the running show that was saved since the last call or while the show
+  //! waited, or why there is no such version.
   [[nodiscard]] std::optional<ShowReload::Result> poll(MonotonicTime now);
   //! Rereads the running show, even if it has not changed; poll() returns the result.
   void request();
@@ -137,8 +137,8 @@ class WatchedShows {
     std::string file;
     std::string problem;  //!< empty: none
   };
-  //! Checks the waiting shows; called once per frame. Returns the result for a show whose files had
-  //! changed, once it has been read; nothing if there is none.
+  //! Checks the waiting shows; called once per frame. If a show with changed files has just been
+  //! read, returns the result; otherwise returns nothing.
   [[nodiscard]] std::optional<Waiting> poll_waiting(MonotonicTime now);
 
   //! Records that the version read last did not become current, so that its show is read again when

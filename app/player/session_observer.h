@@ -9,7 +9,7 @@
 
 namespace ergodome {
 
-//! What the observer of a frame depends on.
+//! The inputs that determine the observer of a frame.
 struct ObserverScene {
   const Show& show;     //!< with the numbers of its file, before animation
   Spacetime spacetime;  //!< now

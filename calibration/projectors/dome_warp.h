@@ -23,8 +23,8 @@ bool master_position_near_rim(const DomeScreen& screen, const Vector3<double>& p
 //! Returns the warp with which a projector shows a domemaster of `master_px` undistorted on the
 //! dome: a mesh over the whole raster, as coarse as `tolerance_px` allows, but with at most 1,025
 //! nodes per side. The unit of the tolerance is a pixel of the master or of the projector,
-//! whichever is larger. Nodes just beyond the dome's rim are valid, so that cells reach the rim;
-//! nodes far beyond it are invalid, so that their cells are not drawn. Intensities are 1. Throws
+//! whichever is larger. Nodes just beyond the dome's rim are valid, so that cells reach the rim.
+//! Nodes far beyond it are invalid, so that their cells are not drawn. Intensities are 1. Throws
 //! Error if the projector lights no part of the dome.
 WarpMesh dome_warp(const ProjectorOptics& projector, const DomeScreen& screen, int master_px, double tolerance_px);
 

@@ -16,8 +16,8 @@ enum class TextureDirection { downwards, upwards };
 //! 10,000) are unknown and not drawn. Ignores the third component, the sample's error.
 WarpMesh warp_from_map(const FloatMap& map, TextureDirection direction);
 
-//! Converts a mesh to a map of the given size with resampled_warp(). Third components are 0;
-//! samples that neither a drawn cell nor a node covers are NaN.
+//! Converts a mesh to a map of the given size with resampled_warp(). Third components are 0.
+//! Samples that neither a drawn cell nor a node covers are NaN.
 FloatMap map_from_warp(const WarpMesh& mesh, int width, int height, TextureDirection direction);
 
 //! Returns a mesh's values at the positions of a map of the given size. Each cell is two triangles,

@@ -16,8 +16,8 @@ double deepest_rest(Spacetime spacetime);
 //! Returns true if falls can stop inside the horizon; false if the spin is 1 or -1, or almost.
 bool has_inside(Spacetime spacetime);
 
-//! Returns, in English and German, which feature of a show cannot be shown from inside the horizon;
-//! nothing if all can.
+//! Returns, in English and German, which feature of a show cannot be shown from inside the horizon.
+//! Returns nothing if all can.
 std::optional<LocalText> hidden_within(const Show& show);
 
 //! Returns, in English and German, why visitors of a show may not fall through the horizon; nothing

@@ -24,8 +24,8 @@ std::string decoded(std::string_view text) {
   return plain;
 }
 
-//! Returns the path of the entry with this name, in any case, in a folder, as Windows finds it;
-//! empty if there is none.
+//! Returns the path of a folder's entry with this name, ignoring case as Windows does. Returns an
+//! empty path if there is no such entry.
 std::filesystem::path entry_in_any_case(const std::filesystem::path& folder, const std::string& name) {
   const auto lower = [](std::string text) {
     std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

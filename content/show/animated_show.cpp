@@ -57,7 +57,8 @@ NumberChange put_values(Show& show, const Value& value) {
 }  // namespace
 
 double value_at(std::size_t count, const KeyAt& key, double time_s) {
-  std::size_t after = 0;  // index of the first key after the time
+  // Finds the first key after the time by bisection.
+  std::size_t after = 0;
   for (std::size_t end = count; after < end;) {
     const std::size_t middle = after + (end - after) / 2;
     if (!(time_s < key(middle).time_s)) {

@@ -7,12 +7,12 @@
 
 namespace ergodome {
 
-//! Returns the value of an animated number at a show time; the first key's value before it, the
-//! last key's after it.
+//! Returns the value of an animated number at a show time; the first key's value before that key,
+//! and the last key's value after that one.
 //!
-//! With Ease::smooth, the curve is C² and does not overshoot its keys (content/timeline/key_curve.h);
-//! other kinds are described at Ease. Times are measured from the preceding key, so late in a show
-//! they are as exact as doubles can represent them.
+//! With Ease::smooth, the curve is C² and does not overshoot its keys
+//! (content/timeline/key_curve.h). Other kinds are described at Ease. Times are measured from the
+//! preceding key, so late in a show they are as exact as doubles can represent them.
 double value_at(const Animation& animation, double time_s);
 
 //! Returns the value at a show time of a number with `count` keys, at least one; `key(i)` returns

@@ -78,8 +78,8 @@ struct ObjectSettings {
   //! Number of images that polygons draw: 1 is the direct image; each further one goes half a turn
   //! further around the hole.
   int images = 2;
-  //! Maximum factor by which lensing may enlarge a triangle's circumference; above it, the triangle
-  //! is torn and not drawn.
+  //! Maximum factor by which lensing may enlarge a triangle's perimeter. Above it, the triangle is
+  //! torn and not drawn.
   double torn = 10.0;
 };
 

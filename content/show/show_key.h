@@ -65,7 +65,7 @@ struct ShowKey {
   std::size_t max_tables = 0;          //!< maximum number of tables in a list
   bool degrees = false;                //!< the file has degrees, the member radians
   const char* missing = nullptr;       //!< remedy if the key is absent; nullptr: the key is optional
-  //! What an animation of the number changes; absent: it cannot be animated.
+  //! Parts that change when the number is animated. Without a value, the number cannot be animated.
   std::optional<NumberChange> changes;
   const char* fixed = nullptr;  //!< why the key, or a key in this table, cannot be animated
 

@@ -24,7 +24,7 @@ std::optional<CubeMapLayout> cube_map_layout(int width, int height, bool openexr
 std::array<int, 2> faces_of(CubeMapLayout layout);
 
 //! Returns true if each cell of a cross that contains no face has a single color, within JPEG
-//! errors. Images of the same shape that are no cube maps have content there. Always true for
+//! errors. Images of the same shape that are not cube maps have content there. Always true for
 //! layouts other than crosses.
 bool has_plain_corners(const EnvironmentImage& image, CubeMapLayout layout);
 

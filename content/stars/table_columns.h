@@ -59,8 +59,8 @@ struct TableColumns {
 //! Units by lower-case column name, from comments that describe the columns (ECSV).
 using UnitsByName = std::map<std::string, std::string, std::less<>>;
 
-//! Chooses the columns to read. If several hold the same quantity, the order of preference decides;
-//! both coordinates come from one pair (KnownName::pair) if possible. Throws Error at `location` if
+//! Chooses the columns to read. If several hold the same quantity, the order of preference decides.
+//! Both coordinates come from one pair (KnownName::pair) if possible. Throws Error at `location` if
 //! a coordinate or a magnitude is missing, a name occurs twice, or a unit is not supported.
 TableColumns choose_columns(const std::vector<std::string>& names, const UnitsByName& units,
                             const std::string& location);

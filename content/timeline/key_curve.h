@@ -44,8 +44,8 @@ struct SpanEnds {
   SpanEnd end;
 };
 
-//! Returns how the span from key `i` to the next one begins and ends. There are `count` keys;
-//! `key(i)` returns any of them.
+//! Returns how the span from key `i` to the next one begins and ends. There are `count` keys, and
+//! `key(i)` returns the one at index `i`.
 //!
 //! Curves rest at the first and the last key, where a key is held, where Ease::in leaves and
 //! Ease::out arrives, and next to a jump. Exceptions, at the first key, the last key and a jump:

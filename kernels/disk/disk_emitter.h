@@ -64,8 +64,8 @@ struct DiskLight {
   bool outwards;             //!< emitted with growing r
 };
 
-//! Returns ν_emitted / ν_observed = u^t (E - Ω L) for matter on a circular geodesic along +φ;
-//! infinite at and inside the photon orbit, where there is no such geodesic.
+//! Returns ν_emitted / ν_observed = u^t (E - Ω L) for matter on a circular geodesic along +φ. The
+//! ratio is infinite at and inside the photon orbit, where there is no such geodesic.
 template <class S>
 ERGO_HD S circular_frequency(S spin, const DiskLight<S>& light) {
   const S swirl = light.r * sqrt(light.r);  // r^(3/2)

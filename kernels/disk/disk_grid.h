@@ -85,8 +85,8 @@ struct DiskGridCheckBatch {
   int count;
   const float* gamma_turns;
   const float* s;
-  //! As in DiskCheckBatch. 0 where the leaf is flagged as inaccurate, so that pixels are traced;
-  //! unknown_disk_error where the grid lacks an image that the ray sees.
+  //! As in DiskCheckBatch. 0 where the leaf is flagged as inaccurate, so that pixels are traced. It
+  //! is unknown_disk_error where the grid lacks an image that the ray sees.
   float* error_px;
   //! Area on the screen of a chart area of one turn of γ times one unit of s [px²]; 0 where no
   //! image of the disk is near.

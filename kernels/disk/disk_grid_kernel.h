@@ -7,8 +7,8 @@
 // Traces and checks the nodes of a disk's grid.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Traces the nodes of a disk's grid with their derivatives; index i stands for the nodes i *
-//! lanes, i * lanes + 1, ...
+//! Traces the nodes of a disk's grid with their derivatives. Index i covers nodes i * lanes to
+//! (i + 1) * lanes - 1.
 template <class T, bool WithPattern>
 struct TraceDiskNodes {
   using M = MixedDual<T>;

@@ -27,7 +27,7 @@ ERGO_HD Vector3<float> heat_color(float value) {
 }
 
 //! Returns the color for a position within a heat map's range of frequency ratios: red at 0
-//! (redshift), white at 0.5, blue at 1. Display-referred sRGB, 0 to 1. Values outside are clamped;
+//! (redshift), white at 0.5, blue at 1. Display-referred sRGB, 0 to 1. Values outside are clamped.
 //! NaN is magenta.
 ERGO_HD Vector3<float> shift_color(float value) {
   if (!(value == value)) {

@@ -89,8 +89,8 @@ struct ShadeSky {
     }
   }
 
-  //! Returns the solid angle of the pixels at the camera over that of their footprints on the sky;
-  //! limited at caustics.
+  //! Returns the solid angle of the pixels at the camera over that of their footprints on the sky.
+  //! The ratio is limited at caustics.
   ERGO_HD T magnification(int first) const {
     const Vector3<T> along_x = vectors(batch.lens.sky_along_x, first);
     const Vector3<T> area = cross(along_x, vectors(batch.lens.sky_along_y, first));

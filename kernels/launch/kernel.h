@@ -1,7 +1,7 @@
 #pragma once
 
-// What the header of a kernel declares about the kernel. launch() (kernels/launch/launch.h) needs
-// nothing else.
+// The declarations that each kernel's header makes. They are all that launch()
+// (kernels/launch/launch.h) needs.
 namespace ergodome {
 
 //! Where kernels run.

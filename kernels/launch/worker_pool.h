@@ -23,8 +23,8 @@ class WorkerPool {
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
 
-  //! Calls `work` on the calling thread and on up to `max_helpers` free helpers at the same time;
-  //! returns when all calls have returned. `work` must not throw, and must return at once if
+  //! Calls `work` on the calling thread and on up to `max_helpers` free helpers at the same time.
+  //! Returns when all calls have returned. `work` must not throw, and must return at once if
   //! nothing is left to do.
   void run(int max_helpers, const std::function<void()>& work);
 

@@ -12,8 +12,8 @@
 // Batches that trace the nodes of a lens grid and check its cells.
 namespace ergodome {
 
-//! What the kernels that trace a grid's rays share: camera, chart and integration settings. The
-//! camera is in the rain frame at φ = 0, or, for an omnidirectional eye (OmniCameraOf), in the
+//! Inputs shared by the kernels that trace a grid's rays: camera, chart and integration settings.
+//! The camera is in the rain frame at φ = 0, or, for an omnidirectional eye (OmniCameraOf), in the
 //! view's axes.
 template <class S, class Camera = CameraStationOf<S>>
 struct GridCamera {

@@ -89,7 +89,7 @@ ERGO_HD T energy_of(const CameraStationOf<ScalarOf<T>>& camera, const Vector3<T>
 
 }  // namespace ERGO_TARGET
 
-//! Rays of one camera, read from lens grids. Rays of flagged leaves are traced by Taylor series;
+//! Rays of one camera, read from lens grids. Rays of flagged leaves are traced by Taylor series.
 //! `rays.method` is ignored. The channels `steps`, `error_estimate` and `mino_time` are 0 for rays
 //! that are read.
 template <class S>

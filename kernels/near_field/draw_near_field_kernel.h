@@ -9,8 +9,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Draws disk and shells, with objects between them, over pixels; index i stands for the pixels i *
-//! lanes, i * lanes + 1, ... of the block. Along a ray, nearer things hide farther ones, and all of
+//! Draws disk and shells, with objects between them, over pixels. Index i covers pixels i * lanes
+//! to (i + 1) * lanes - 1 of the block. Along a ray, nearer things hide farther ones, and all of
 //! them hide the sky. Each variant computes only what its scene has.
 template <class T, DiskDrawing Disk, bool Shells, bool Objects>
 struct DrawNearField {

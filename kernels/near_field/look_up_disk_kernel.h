@@ -10,9 +10,9 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Draws the disk over pixels from a grid; index i stands for the pixels i * lanes, i * lanes + 1,
-//! ... of the block. Crossings, edges and fine images are treated as in DrawNearField. Rays are
-//! traced where the grid has no accurate leaf.
+//! Draws the disk over pixels from a grid. Index i covers pixels i * lanes to (i + 1) * lanes - 1
+//! of the block. Crossings, edges and fine images are treated as in DrawNearField. Rays are traced
+//! where the grid has no accurate leaf.
 template <class T, bool WithPattern>
 struct LookUpDisk {
   using D = Dual<T>;

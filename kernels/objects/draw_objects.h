@@ -106,7 +106,7 @@ struct FlatEyeSight {
   FlatHorizon horizon;
 };
 
-//! Number of parts into which lines of sight of slices are cut, each with a head's ray of its own;
+//! Number of parts into which lines of sight of slices are cut, each with a head's ray of its own,
 //! and the maximum sweep of these lines [px] for which slices are used. The sweep is the angle
 //! between a line's ends as the head sees them.
 inline constexpr double parts_of_slices = 2.0;

@@ -106,8 +106,8 @@ struct LitSurfacePoint {
 
 namespace detail {
 
-//! Finds the ray of one way from a lamp to a point. Returns false if there is none, or if, without
-//! spin, the closed form shows that the surface faces away.
+//! Finds the ray from a lamp to a point that goes one given way round the hole. Returns false if
+//! there is no such ray, or if, without spin, the closed form shows that the surface faces away.
 ERGO_HD bool lamp_ray(const LampSource& lamp, const LampLight& light, const LitSurfacePoint& at, const LocalFrame& from,
                       int way, RayCorrection& correction, LightRay& ray) {
   const Spacetime spacetime = spacetime_of(from.camera);

@@ -34,8 +34,8 @@ struct ObjectRaysOfEye {
   }
 };
 
-//! Computes the light of pixels in which objects may be seen, from `samples`² rays each; index i
-//! stands for the pixels i * lanes, i * lanes + 1, ...
+//! Computes the light of pixels in which objects may be seen, from `samples`² rays each. Index i
+//! covers pixels i * lanes to (i + 1) * lanes - 1.
 template <class T, NearParts Parts>
 struct LookAtObjects {
   ObjectPixelBatch batch;

@@ -6,7 +6,7 @@ namespace ergodome::inline ERGO_TARGET {
 
 //! Marks the tiles in which objects may be seen: those where an object's bounding ball comes within
 //! the footprint of the ray through the tile's middle, whichever way round the hole, and those
-//! beside the shadow's edge. Index i stands for the tiles i * lanes, i * lanes + 1, ...
+//! beside the shadow's edge. Index i covers tiles i * lanes to (i + 1) * lanes - 1.
 template <class T, NearParts Parts>
 struct MarkTiles {
   using D = Dual<T>;

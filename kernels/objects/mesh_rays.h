@@ -31,7 +31,7 @@ ERGO_HD MaskOf<T> trace_meshes(ScalarOf<T> spin, double cosine_phi, double sine_
 }
 
 //! Finds the first mesh on one ray; hit.mesh is -1 if there is none. Returns false if the ray
-//! reached the step limit before it was decided.
+//! reached the step limit before the result was known.
 template <int Order, NearParts Parts>
 ERGO_HD bool trace_meshes(double spin, double cosine_phi, double sine_phi, const NearRay<double>& ray,
                           const MeshScene& scene, const MeshLimits& limits, MeshHit& hit) {

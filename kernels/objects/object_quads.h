@@ -21,8 +21,8 @@ struct SampleHits {
 
 //! Computes the light of pixels in which objects may be seen, from several quads of positions each.
 //! rays.find(first, directions, count, met) finds what a pack of pixels meets in directions of up
-//! to rays.max_quads quads; rays.slice(number) cuts a pixel along the shadow's edge. Index i
-//! stands for the pixels i * lanes, i * lanes + 1, ...
+//! to rays.max_quads quads; rays.slice(number) cuts a pixel along the shadow's edge. Index i covers
+//! pixels i * lanes to (i + 1) * lanes - 1.
 template <class T, class Rays>
 struct ObjectQuads {
   const ObjectPixelBatch& batch;

@@ -160,9 +160,10 @@ struct OneLane<Dual<T>> {
 }  // namespace detail
 
 //! Follows rays backwards from a camera at azimuth φ, step by step, as long as they may come
-//! between the radii, on all ways round the hole. Calls visit(lane, step) for each step that does;
-//! it returns whether the lane is finished. Lanes are doubles, or duals of them. `active_at_start`:
-//! lanes to follow. Returns false in lanes that reached the step limit before they were decided.
+//! between the radii, on all ways round the hole. Calls visit(lane, step) for each step that does.
+//! `visit` returns whether the lane is finished. Lanes are doubles, or duals of them.
+//! `active_at_start`: lanes to follow. Returns false in lanes that reached the step limit before
+//! the result was known.
 template <int Order, NearParts Parts, class T, class Visit>
 ERGO_HD MaskOf<RealOf<T>> follow_path(ScalarOf<T> spin, double cosine_phi, double sine_phi, const NearRay<T>& ray,
                                       const RadialBounds& bounds, const MeshLimits& limits,

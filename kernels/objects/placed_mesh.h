@@ -36,8 +36,8 @@ struct MeshScene {
 
 inline namespace ERGO_TARGET {
 
-//! Returns the position of a mesh's origin (PlacedMesh::position) `delay` before the camera's time;
-//! for meshes that are not retarded, at the camera's time [M].
+//! Returns the position of a mesh's origin (PlacedMesh::position) `delay` before the camera's time
+//! [M]. For meshes that are not retarded, returns the position at the camera's time.
 ERGO_HD Vector3<double> mesh_position(const PlacedMesh& mesh, double delay) {
   if (!mesh.retarded) {
     return mesh.position;

@@ -5,7 +5,7 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Draws an overlay; index i stands for the pixels i * lanes, i * lanes + 1, ... of the tiles, each
+//! Draws an overlay. Index i covers pixels i * lanes to (i + 1) * lanes - 1 of the tiles, each tile
 //! row by row.
 template <class T>
 struct DrawOverlay {

@@ -92,8 +92,8 @@ ERGO_HD Vector3<T> direction_from_pixel(const ProjectionOf<ScalarOf<T>>& project
 }
 
 //! Computes the pixel position of a view direction: the inverse of direction_from_pixel(). Returns
-//! false if there is none: beside and behind a flat screen or a single cube face, straight up and
-//! down for a cylinder, beyond the end of a lens law.
+//! false where no pixel shows the direction: beside and behind a flat screen or a single cube face,
+//! straight up and down for a cylinder, beyond the end of a lens law.
 ERGO_HD bool pixel_from_direction(const Projection& projection, const Vector3<double>& view, double& x_px,
                                   double& y_px) {
   double x = 0.0;

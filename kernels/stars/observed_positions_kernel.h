@@ -27,7 +27,7 @@ ERGO_HD ObservedLight<T> observed_light(const AberrationOf<ScalarOf<T>>& observe
   return {seen, scale * scale, T(S(1)) / maximum(detail::evaluate(energy, rain) * scale, T(S(1e-6)))};
 }
 
-//! Computes what an observer sees; index i stands for the positions i * lanes, i * lanes + 1, ...
+//! Computes what an observer sees. Index i covers positions i * lanes to (i + 1) * lanes - 1.
 template <class T>
 struct ObservePositions {
   const ObservedPositionBatch& batch;

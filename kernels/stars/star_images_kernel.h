@@ -6,8 +6,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Refines images of stars by Newton's method on traced rays; index i stands for the images i *
-//! lanes, i * lanes + 1, ...
+//! Refines images of stars by Newton's method on traced rays. Index i covers images i * lanes to
+//! (i + 1) * lanes - 1.
 //!
 //! A ray with its derivatives along two perpendicular directions gives the image to first order. A
 //! few iterations reach the precision of the rays; the last ray's Jacobian is that of the image.

@@ -94,8 +94,8 @@ struct AccuracyReport {
 };
 
 //! Returns the ratio of the longest to the shortest time in Measurement::frame_ms, as the median
-//! over all measurements with at least two runs; 0 if there is none. The median is insensitive to
-//! single disturbed measurements.
+//! over all measurements with at least two runs. Returns 0 if there are no such measurements. The
+//! median is insensitive to single disturbed measurements.
 double time_spread(const AccuracyReport& report);
 
 //! Maximum time_spread() for which the machine counts as idle enough to rank methods.

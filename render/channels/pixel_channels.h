@@ -23,7 +23,7 @@ struct PixelChannel {
   std::vector<double> values;
 };
 
-//! What the channels of a picture show: camera, projection, hole and disk.
+//! The scene that the channels of a picture describe: camera, projection, hole and disk.
 struct ChannelScene {
   EyeCamera eye;
   Projection projection;

@@ -32,7 +32,7 @@ std::vector<Pass*> ShowPasses::of_pictures(const Show& show, ViewMode mode) cons
 
 void ShowPasses::finish(FinishedFrame& frame) const {
   for (const std::unique_ptr<Pass>& pass : passes_) {
-    if (pass) {
+    if (pass && pass->kind().stage == PassStage::frame) {
       pass->finish_frame(frame);
     }
   }

@@ -18,8 +18,8 @@ CameraStation station_of(const EyeCamera& eye);
 //! sets the shadow's edge. `tolerance_px`: accepted displacement of a traced pixel on the screen.
 PixelBatch pixel_batch(const EyeCamera& eye, const Projection& projection, double tolerance_px);
 
-//! Limits the rays of a batch to 48 steps, for spins up to 0.999 and eyes outside the horizon;
-//! otherwise does nothing. The rays must be traced to the sky only. A single longer ray would delay
+//! Limits the rays of a batch to 48 steps, for spins up to 0.999 and eyes outside the horizon.
+//! Otherwise does nothing. The rays must be traced to the sky only. A single longer ray would delay
 //! the whole GPU, and at 8192 px only one pixel in 50 million needs more. At higher spins light
 //! circles longer, because orbits near the horizon are less unstable.
 void set_sky_steps(PixelBatch& batch, const EyeCamera& eye);

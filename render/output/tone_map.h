@@ -32,8 +32,8 @@ std::vector<float> coverage_of(const Picture& picture);
 //! Computes the geometric mean of the light of one or several pictures, such as those of both eyes.
 class LightMeter {
  public:
-  //! Adds the pixels of a picture whose coverage exceeds 0.5. Light below 1e-5 counts as 1e-5;
-  //! non-finite light is ignored.
+  //! Adds the pixels of a picture whose coverage exceeds 0.5. Light below 1e-5 counts as 1e-5.
+  //! Non-finite light is ignored.
   void add(const Picture& picture);
 
   //! Returns the geometric mean of the luminances of all added pixels, or 0 without pixels.

@@ -15,7 +15,7 @@
 
 namespace ergodome {
 
-//! What a pass draws into one picture.
+//! The work of a pass on one picture.
 class PassDrawing {
  public:
   PassDrawing() = default;

@@ -35,7 +35,8 @@ struct PassKind {
   const char* name;
   PassStage stage;
 
-  //! Returns whether a picture with the show's current numbers needs the pass.
+  //! Returns whether a picture with the show's current numbers needs the pass. Passes of
+  //! PassStage::frame decide that themselves when they finish a frame.
   bool (*draws)(const Show& show, ViewMode mode);
 
   //! Adds the work, memory and channels that the pass needs for a show to a plan, each with the

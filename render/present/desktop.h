@@ -31,7 +31,7 @@ std::string monitor_list(const std::vector<DesktopMonitor>& monitors);
 
 //! Returns a position at which a window of the size of `window` fits into a monitor's work area
 //! without covering taken rectangles: on the first monitor with room, as far up, then as far to the
-//! left as possible. Returns nothing if there is none.
+//! left as possible. Returns nothing if no monitor has room.
 std::optional<DesktopRectangle> free_rectangle(const DesktopRectangle& window,
                                                const std::vector<DesktopMonitor>& monitors,
                                                std::span<const DesktopRectangle> taken);

@@ -25,7 +25,7 @@ struct OutputEye {
   Projection projection;                //!< frustum or other projection, and the picture's size
 };
 
-//! What an output needs for its next frame.
+//! An output's requirements for its next frame.
 struct OutputWish {
   //! Eyes whose views the output defines, at most two, the left one first. Empty: the player
   //! renders the eyes of the show's stereo settings, in the show's projection, as large as it can

@@ -24,8 +24,8 @@ struct PresentedPicture {
 };
 
 //! The part of a picture to draw. `left_half` and `right_half` are eyes in a picture that has them
-//! side by side. With `halves_by_rows`, both halves fill the whole framebuffer in alternate rows;
-//! the top row is the left half's.
+//! side by side. With `halves_by_rows`, both halves fill the whole framebuffer in alternate rows.
+//! The top row is the left half's.
 enum class PicturePart { whole, left_half, right_half, halves_by_rows };
 
 //! A part of a framebuffer [px], from its bottom left corner.

@@ -44,9 +44,9 @@ void visit_many(const Projection& projection, Visit&& visit) {
   }
 }
 
-//! What is measured in a direction: disparities of the sky, or of disk and shells. Sky needs many
-//! directions, because it is stretched without bound beside its caustics. Disk and shells are found
-//! in all directions, because they hide the sky.
+//! Selects whose disparities are measured in a direction: the sky's, or those of disk and shells.
+//! The sky needs many directions, because it is stretched without bound beside its caustics. Disk
+//! and shells are found in all directions, because they hide the sky.
 enum class DisparityOf : std::uint8_t { sky, disk_and_shells };
 
 //! One of the sampled directions of an image, in the view's axes, and the points of disk and shells

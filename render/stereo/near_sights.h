@@ -27,8 +27,8 @@ std::vector<NearSight> near_sights(const Show& show, const EyeCamera& head, cons
 //! of its view; infinite if it sees none. Traces rays in double precision.
 double distance_of_objects(const PlacedMeshes& meshes, const EyeCamera& head, const Vector3<double>& view);
 
-//! Returns the affine distance [M] from a head to a point that it sees in a direction of its view;
-//! nothing if light from that direction does not pass the point within 0.001 of its radius.
+//! Returns the affine distance [M] from a head to a point that it sees in a direction of its view.
+//! Returns nothing if light from that direction does not pass the point within 0.001 of its radius.
 std::optional<double> distance_of_position(const EyeCamera& head, const Vector3<double>& view,
                                            const Vector3<double>& position);
 

@@ -49,7 +49,7 @@ std::optional<Vector3<double>> StereoEye::sees(const SeenThing& thing) const {
     if (!seen) {
       return std::nullopt;
     }
-    // The picture shows at direction v what comes from the direction v - turn; `turn` is
+    // At direction v, the picture shows the light from direction v - turn. The vector `turn` is
     // perpendicular to v.
     const Vector3<double> turn = convergence_turn(view);
     const Vector3<double> next = normalized(std::sqrt(1.0 + dot(turn, turn)) * seen->view + turn);

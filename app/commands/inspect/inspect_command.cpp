@@ -125,7 +125,7 @@ std::string text_of_value(const nlohmann::json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-//! Returns the English title of a show, otherwise the first; empty if there is none.
+//! Returns the English title of a show, otherwise its first title. Empty if the show has none.
 std::string title_of(const nlohmann::json& titles) {
   return titles.empty() ? "" : titles.value("en", titles.front().get<std::string>());
 }

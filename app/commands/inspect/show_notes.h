@@ -21,8 +21,8 @@ struct MeshSummary {
   std::vector<std::string> remarks;
 };
 
-//! Summarizes a mesh. Reads the textures whose alpha channel counts, to remark on transparent ones;
-//! throws Error if one cannot be read.
+//! Summarizes a mesh. Reads the textures whose alpha channel is used, to remark on transparent
+//! ones. Throws Error if one cannot be read.
 MeshSummary summary_of_mesh(const std::string& file, const TriangleMesh& mesh);
 
 //! Returns a list of the show's objects that are meshes with a summary in `meshes`. Extents are

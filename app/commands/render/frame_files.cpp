@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 
 //! Metadata key of the stops that automatic exposure applied to a frame.
 constexpr const char* followed_stops_metadata = "followed_stops";
-//! Metadata key of the previous frame's stops, from which the exposure continued; the value is
-//! `anew` if it started again.
+//! Metadata key of the previous frame's stops, from which the exposure continued. The value is
+//! `anew` if the exposure started again.
 constexpr const char* followed_from_metadata = "followed_from";
 constexpr const char* anew = "anew";
 

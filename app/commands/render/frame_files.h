@@ -78,8 +78,8 @@ class FrameFiles : public Output {
   //! Returns the stops that automatic exposure applied to the last picture; nothing without it, for
   //! heat maps, and for EXR files, which are linear.
   [[nodiscard]] std::optional<double> followed_stops() const;
-  //! Returns the stops in the file of the frame before `frame`, as text; the constant `anew` if
-  //! that frame is missing, has another fingerprint or stores no stops.
+  //! Returns the stops in the file of the frame before `frame`, as text. Returns the constant
+  //! `anew` if that frame is missing, has another fingerprint or stores no stops.
   [[nodiscard]] std::string stops_before(int frame) const;
   //! Returns the first file of a frame: that of the left eye, the first cube face or the first
   //! projector, if these have files of their own.

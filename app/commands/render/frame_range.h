@@ -26,9 +26,9 @@ std::pair<int, int> frame_range(const std::string& text, int count);
 //! meant as a frame.
 ShowTime moment_of(const std::string& option, const std::string& text);
 
-//! Returns the first and last frame, counted from 0, that begin at or after `from` and before `to`;
-//! adjacent ranges share no frame. An empty text stands for the beginning or the end of the show.
-//! Throws UsageError for times outside the show, and if the range contains no frame.
+//! Returns the first and last frame, counted from 0, that begin at or after `from` and before `to`,
+//! so adjacent ranges share no frame. An empty text stands for the beginning or the end of the
+//! show. Throws UsageError for times outside the show, and if the range contains no frame.
 std::pair<int, int> frames_between(const std::string& from, const std::string& to, const Show& show);
 
 }  // namespace ergodome

@@ -72,8 +72,8 @@ Controls read_controls(const std::filesystem::path& path);
 //! Returns bindings as a file that parse_controls() reads, with a comment on each line.
 std::string to_toml(const Controls& controls);
 
-//! Returns the path of the user's controls, $XDG_CONFIG_HOME/ergodome/controls.toml (or ~/.config);
-//! empty if neither folder is known.
+//! Returns the path of the user's controls, $XDG_CONFIG_HOME/ergodome/controls.toml (or ~/.config).
+//! Returns an empty path if neither folder is known.
 std::filesystem::path own_controls_path();
 
 //! Returns the controls to use: from the file `chosen` if given, else from the user's file if it

@@ -11,8 +11,8 @@ namespace ergodome {
 struct Input {
   enum class Kind { key, mouse_button, mouse_axis, wheel, wheel_step, pad_button, pad_axis };
   Kind kind = Kind::key;
-  //! GLFW key code; mouse button from 0; mouse axis 0 (x) or 1 (y); wheel step 1 (up) or -1 (down);
-  //! index in PadButton or PadAxis; 0 for the whole wheel.
+  //! Depends on the kind of input: GLFW key code, mouse button from 0, mouse axis 0 (x) or 1 (y),
+  //! wheel step 1 (up) or -1 (down), or index in PadButton or PadAxis. 0 for the whole wheel.
   int code = 0;
   unsigned modifiers = 0;  //!< modifier flags of a key
 

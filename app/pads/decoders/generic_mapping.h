@@ -17,8 +17,8 @@ bool is_pad_usage(const HidUsage& usage);
 //! 1:8), such as a 3D mouse.
 bool is_puck(const HidLayout& hid);
 
-//! Returns the name of an axis: "x" to "rz", "slider", "dial", "wheel", "throttle", "brake", ...;
-//! nullptr if the usage is not an axis of a controller.
+//! Returns the name of an axis: "x" to "rz", "slider", "dial", "wheel", "throttle", "brake", and so
+//! on. Returns nullptr if the usage is not an axis of a controller.
 const char* generic_axis_name(const HidUsage& usage);
 
 //! Returns the button with a specific usage: the four of a directional pad, and those of
@@ -30,9 +30,9 @@ std::optional<PadButton> generic_button(const HidUsage& usage);
 //! axes of a 3D mouse.
 void map_generic_axes(const HidLayout& hid, std::vector<RawAxis>& axes);
 
-//! Returns the meaning of HID buttons 1 to `count`: for 3D mice the order of space_mouse.cpp; for
-//! game pads with at least 15 buttons and pedals as triggers the order of Android and Linux;
-//! otherwise Logitech's.
+//! Returns the meaning of HID buttons 1 to `count`: for 3D mice, in the order of space_mouse.cpp.
+//! For game pads with at least 15 buttons and pedals as triggers, in the order of Android and
+//! Linux. Otherwise in Logitech's.
 std::vector<std::optional<PadButton>> generic_buttons(const HidLayout& hid, std::size_t count);
 
 }  // namespace ergodome

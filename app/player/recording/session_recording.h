@@ -29,8 +29,8 @@ class SessionRecording {
   [[nodiscard]] bool full() const { return recorder_ && recorder_->full(); }
 
  private:
-  //! Returns the proper time that has passed since a camera began to fall through the horizon [M];
-  //! nothing if it does not fall, or if another observer is chosen.
+  //! Returns the proper time that has passed since a camera began to fall through the horizon [M].
+  //! Returns nothing if it does not fall, or if another observer is chosen.
   [[nodiscard]] std::optional<double> proper_time_of_fall(const PlayerFrame& frame, const Navigator& navigator,
                                                           const Show& show);
 

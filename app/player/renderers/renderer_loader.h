@@ -35,8 +35,8 @@ class RendererLoader {
   //! Starts to load a show after the current load. Of waiting orders, only the latest is kept.
   void load(Order order);
 
-  //! Returns the result of a load that finished since the last call. Returns nothing while loading;
-  //! if another order waits, discards the result and starts to load that order.
+  //! Returns the result of a load that finished since the last call. Returns nothing while loading.
+  //! If another order waits, discards the result and starts to load that order.
   [[nodiscard]] std::optional<Loaded> take();
 
   [[nodiscard]] bool busy() const { return work_.valid() || next_.has_value(); }

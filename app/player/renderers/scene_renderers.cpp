@@ -52,7 +52,7 @@ SceneRenderers::News SceneRenderers::advance(const Show& show) {
     return {};
   }
   RendererLoader::Order& order = loaded->order;
-  // What was loaded for a scene that has ended is discarded.
+  // Discards a renderer that was loaded for a scene that has ended.
   const bool own = is_same_file(order.show, show);
   std::optional<Show> version;
   if (own && order.version) {

@@ -18,8 +18,8 @@ namespace ergodome {
 
 class WebPages;
 
-//! The status page's server: one thread accepts connections and waits for their first requests;
-//! others answer them.
+//! The status page's server: one thread accepts connections and waits for their first requests, and
+//! other threads answer.
 //!
 //! Half of the answering threads are for this machine, the other half for clients with the token,
 //! so neither can block the other.

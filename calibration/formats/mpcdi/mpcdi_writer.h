@@ -7,7 +7,7 @@
 
 namespace ergodome {
 
-//! Returns a calibration as the bytes of an archive, in its version and profile;
+//! Returns a calibration as the bytes of an archive, in its version and profile. The function
 //! parse_mpcdi_archive() reads it back unchanged. Maps begin with the bottom row. Throws Error,
 //! which names `name`, if a region lacks what the profile requires (a warp, a frustum, a frame), or
 //! if an id is empty or used twice.

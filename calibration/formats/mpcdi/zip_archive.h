@@ -9,12 +9,12 @@
 
 namespace ergodome {
 
-//! Reads named members of a zip archive in memory. Writes nothing to the disk; member names are
+//! Reads named members of a zip archive in memory. Writes nothing to the disk. Member names are
 //! only compared.
 //!
 //! Archives are untrusted: there are limits for entries, bytes of a member, its compression ratio,
-//! and the bytes decompressed in total. Members must be stored or deflated, and not encrypted;
-//! their checksums are verified.
+//! and the bytes decompressed in total. Members must be stored or deflated, and not encrypted.
+//! Their checksums are verified.
 class ZipArchive {
  public:
   //! Opens an archive, from which at most `max_unpacked` bytes may be read in total; `bytes` must

@@ -9,9 +9,9 @@
 // Paul Bourke's mesh files (http://paulbourke.net/dataformats/meshwarp/), in ASCII. Line 1: type, 2
 // rectangular or 1 polar. Line 2: columns and rows. Then a line "x y u v i" for each node, columns
 // fastest: the position on the output, the position in the source image, and a factor of its
-// values. x runs from -aspect to aspect across the raster, y from -1 at the bottom to 1 at the top;
-// u and v from 0 to 1, v upward. Nodes of negative intensity are not drawn. Line ends of any kind
-// and blank lines are accepted.
+// values. x runs from -aspect to aspect across the raster, y from -1 at the bottom to 1 at the top.
+// u and v run from 0 to 1, v upward. Nodes of negative intensity are not drawn. Line ends of any
+// kind and blank lines are accepted.
 namespace ergodome {
 
 //! Reads a mesh. `half_width` is x at the right side of the raster: the raster's aspect ratio

@@ -19,8 +19,8 @@ struct PanoramaCrop {
 
 struct ShownLayout;
 
-//! Makes the panorama the window of a layout, with the file's pixels at their position in it;
-//! scales the panorama as the image was scaled.
+//! Makes the panorama the window of a layout, with the file's pixels at their position in it.
+//! Scales the panorama as the image was scaled.
 void place_crop(const PanoramaCrop& crop, ShownLayout& layout);
 
 //! Reads the first XMP packet in an image's bytes. Source: Google, "Photo Sphere XMP Metadata"

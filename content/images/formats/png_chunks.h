@@ -48,8 +48,8 @@ struct PngColors {
 //! 11.3.2.
 PngColors read_png_colors(const NextBytes& next);
 
-//! Returns the uncompressed ICC profile of a PNG, at most 16 MiB and up to its first damaged byte;
-//! empty if it has none.
+//! Returns the uncompressed ICC profile of a PNG, at most 16 MiB and up to its first damaged byte.
+//! Returns an empty string if it has none.
 std::string png_icc_profile(const NextBytes& next);
 
 }  // namespace ergodome

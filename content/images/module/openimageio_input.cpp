@@ -266,7 +266,7 @@ class Input final : public ImageInput {
   std::string replaced_;
   ImageBytes bytes_;
   ImageLibrary::Wishes asked_;
-  //! What is wrong with a PNG; empty text: nothing; nullopt: not yet checked.
+  //! The problem with a PNG: empty if there is none, nullopt if not yet checked.
   std::optional<std::string> torn_;
   OIIO::Filesystem::IOMemReader memory_;
   std::unique_ptr<OIIO::ImageInput> input_;

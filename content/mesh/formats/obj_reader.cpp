@@ -83,8 +83,8 @@ void ObjMesh::sum_normals() {
   }
 }
 
-//! Returns the normal of a corner. Returns zero if neither the file nor the faces define one;
-//! repair_normals() later replaces zeros.
+//! Returns the normal of a corner. Returns zero if neither the file nor the faces define one.
+//! Later, repair_normals() replaces zeros.
 Vector3<double> ObjMesh::normal_of(const ObjFace& face, const ObjCorner& corner) const {
   if (corner.normal >= 0) {
     return file_.normals[static_cast<std::size_t>(corner.normal)];

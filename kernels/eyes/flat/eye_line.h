@@ -4,7 +4,7 @@
 #include "kernels/core/dual.h"
 #include "kernels/core/vector3.h"
 
-// What an eye beside the head sees, in the head's flat tangent space: the model of Hamilton &
+// The view of an eye beside the head, in the head's flat tangent space: the model of Hamilton &
 // Polhemus (New Journal of Physics 12 (2010) 123027). An object seen in direction n at the affine
 // distance d is at d n, and an eye at e sees it as in flat space.
 //

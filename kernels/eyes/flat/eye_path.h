@@ -96,7 +96,7 @@ class EyeStep {
   [[nodiscard]] ERGO_HD bool begins_beyond(double farthest) const { return !(first_.value - beside_ < farthest); }
 
   //! Restricts the step to the part that may be within a span of distances from the head. Returns
-  //! false if there is none.
+  //! false if there is no such part.
   ERGO_HD bool keep(const DistanceSpan& span) {
     if (length_ > 0.0 && span.nearest == kept_.nearest && span.farthest == kept_.farthest) {
       return true;

@@ -178,8 +178,8 @@ struct ObjectRaysOfHead {
   }
 };
 
-//! Computes the light of pixels in which an eye of the stereo model `flat` may see objects; index i
-//! stands for the pixels i * lanes, i * lanes + 1, ...
+//! Computes the light of pixels in which an eye of the stereo model `flat` may see objects. Index i
+//! covers pixels i * lanes to (i + 1) * lanes - 1.
 template <class T, NearParts Parts>
 struct LookAtFlatObjects {
   FlatObjectPixelBatch batch;

@@ -8,7 +8,7 @@ namespace ergodome::inline ERGO_TARGET {
 
 //! Marks the tiles in which an eye of the stereo model `flat` may see objects, and finds how near
 //! these may be. The line of sight through a tile's middle is cut into parts, each with a ray of
-//! the head, as in MarkTiles. Index i stands for the tiles i * lanes, i * lanes + 1, ...
+//! the head, as in MarkTiles. Index i covers tiles i * lanes to (i + 1) * lanes - 1.
 template <class T, NearParts Parts>
 struct MarkFlatTiles {
   using D = Dual<T>;

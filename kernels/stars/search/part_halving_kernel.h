@@ -68,8 +68,8 @@ ERGO_HD void sort_halves(const SeenPart<T>& half, unsigned open, int depth, cons
     return;
   }
   const unsigned last = held & mask_bits(half.halvings <= T(static_cast<float>(depth)));
-  // Halves are tested for regularity only at even depths, as the test costs more than a halving;
-  // those that are not halved again are always tested.
+  // Halves are tested for regularity only at even depths, as the test costs more than a halving.
+  // Those that are not halved again are always tested.
   const unsigned asked = depth % 2 == 0 ? held : last;
   const unsigned regular = asked == 0 ? 0U : asked & mask_bits(is_regular(half.patch));
   append(regular_parts, half, regular);
@@ -129,8 +129,8 @@ ERGO_HD void halve_parts(const SeenParts& parts, int first, int last, int depth,
   }
 }
 
-//! Writes whole patches as their stars see them; index i stands for the pairs i * lanes, i * lanes
-//! + 1, ...
+//! Writes whole patches as their stars see them. Index i covers pairs i * lanes to
+//! (i + 1) * lanes - 1.
 template <class T>
 struct SeePatches {
   const SeePatchesBatch& batch;

@@ -129,7 +129,7 @@ ERGO_HD PartRoots<T> solve_parts(const SeenParts& parts, int first, bool folded)
   return detail::PartSolver<T>{part}.roots(folded);
 }
 
-//! Seeks stars in parts; index i stands for the parts i * lanes, i * lanes + 1, ...
+//! Seeks stars in parts. Index i covers parts i * lanes to (i + 1) * lanes - 1.
 template <class T>
 struct SolveParts {
   const SolvePartsBatch& batch;

@@ -70,7 +70,7 @@ ERGO_HD PatchRoot<T> invert_patches(const PatchPairBatch& pairs, int first, cons
                          limits.rounds);
 }
 
-//! Seeks stars in patches; index i stands for the pairs i * lanes, i * lanes + 1, ...
+//! Seeks stars in patches. Index i covers pairs i * lanes to (i + 1) * lanes - 1.
 template <class T>
 struct InvertPatches {
   const PatchNewtonBatch& batch;
@@ -87,7 +87,7 @@ struct InvertPatches {
 };
 
 //! Finds on which side of patches' borders stars are, by the winding number of the border about the
-//! star; index i stands for the pairs i * lanes, i * lanes + 1, ...
+//! star. Index i covers pairs i * lanes to (i + 1) * lanes - 1.
 //!
 //! Each side is a cubic curve, approximated by chords. A star counts as `beside` if it is so near
 //! to a chord that the error of the chord, the margin within which images are accepted outside a

@@ -6,7 +6,7 @@
 #include "kernels/stars/search/patch_pairs.h"
 #include "kernels/stars/search/star_bands.h"
 
-// What the search for images of stars reads, on CPU and GPU.
+// Inputs of the search for images of stars, on CPU and GPU.
 namespace ergodome {
 
 //! A view as a cone in the observer's frame, with a unit vector as its axis.

@@ -56,7 +56,7 @@ std::vector<double> means_of(const std::vector<std::vector<double>>& moments) {
 
 double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
-//! Returns the displacements at all compared pixels for which PixelReference::counts() is true;
+//! Returns the displacements at all compared pixels for which PixelReference::counts() is true, and
 //! zero for the others.
 std::vector<Vector3<double>> misses_of(const PixelLens& lens, const PixelReference& reference,
                                        const PixelLattice& lattice) {

@@ -22,8 +22,8 @@ struct RayPicture {
   std::vector<S> n[3], sky[3], status;
 };
 
-//! What a method computes for each pixel: only the sky direction of its light, or also its
-//! footprint on the sky.
+//! The quantities that a method computes for each pixel: only the sky direction of its light, or
+//! also its footprint on the sky.
 enum class PixelNeed { sky, footprint };
 
 //! Selects the measured moment itself, or the frame after it.

@@ -13,8 +13,8 @@ namespace ergodome {
 
 namespace {
 
-//! Error tolerance of the rays that a grid leaves to tracing, as a fraction of the grid's budget;
-//! the same as in the renderer.
+//! Error tolerance of the rays that a grid leaves to tracing, as a fraction of the grid's budget.
+//! It is the same as in the renderer.
 constexpr double ray_share = 0.2;
 
 GridSettings grid_settings(const LensScene& scene, double budget_px) {

@@ -22,8 +22,8 @@ inline std::optional<Vector3<double>> seen_in(const LensPixels& pixels, std::int
 //! Adapts one of the renderer's lens sources, on the CPU, to the interface of measured methods.
 class SourcePixels : public PixelLens {
  public:
-  //! `bytes`: memory of the prepared data. `disk_bytes` computes their size in a trajectory file;
-  //! it is called on demand, because packing a station takes longer than building it.
+  //! `bytes`: memory of the prepared data. `disk_bytes` computes their size in a trajectory file.
+  //! It is called on demand, because packing a station takes longer than building it.
   SourcePixels(LensScene& scene, std::unique_ptr<LensSource> source, std::size_t bytes = 0,
                std::function<std::size_t()> disk_bytes = {})
       : height_px_(scene.projection().height_px),

@@ -30,7 +30,7 @@ class DiskGridBuffers {
   Buffer<unsigned char> orders_;
 };
 
-//! What a picture requires of its disk grid.
+//! A picture's requirements for its disk grid.
 struct DiskGridRequest {
   const EyeCamera& eye;
   const DiskAppearance& disk;
@@ -78,8 +78,8 @@ class DiskGrids {
   int built_ = 0;
 };
 
-//! Minimum number of pixels for which building a disk grid pays off, with or without a pattern;
-//! compare disk_picture/rays and disk_picture/live_grid in tests/bench.
+//! Minimum number of pixels for which building a disk grid pays off, with or without a pattern.
+//! Compare disk_picture/rays and disk_picture/live_grid in tests/bench.
 inline constexpr double min_disk_grid_pixels = 130'000.0;
 
 //! Returns whether building a disk grid for a picture is cheaper than tracing its pixels. On a GPU

@@ -11,7 +11,7 @@
 
 namespace ergodome {
 
-//! Disk layers at the position of a station, beside it, or between two stations, in host memory;
+//! Disk layers at the position of a station, beside it, or between two stations, in host memory.
 //! StationBlend does the same for lenses. The values of layers are scalars, so nothing needs to be
 //! rotated.
 class DiskLayers {

@@ -36,8 +36,8 @@ class FarField {
   }
   //! Draws the aperture's transmission into a corner of cells_ x cells_ zeros.
   void draw_mask(const ApertureSettings& settings, float* cells) const;
-  //! Computes the summed-area table from the Fourier transform's amplitudes (real, imaginary;
-  //! frequency 0 first), and normalizes the total light to 1.
+  //! Computes the summed-area table from the Fourier transform's amplitudes (real and imaginary
+  //! part, frequency 0 first), and normalizes the total light to 1.
   void integrate(const float* amplitudes);
 
   int diameter_;                //!< diameter of the aperture [cells]

@@ -137,8 +137,8 @@ class OverlayPass : public Pass {
                         OverlaySurface surface, double opacity);
 
   //! Returns the image of a caption's text, with a resolution that is sufficient for a picture
-  //! unless the text is too large; valid until the next call. `width`: where lines break [rad];
-  //! `angle_of_px` [rad].
+  //! unless the text is too large. It is valid until the next call. `width` is where lines break
+  //! [rad]. `angle_of_px` is in radians.
   SetCaption& set_for(const Caption& caption, const std::string& text, double width, double angle_of_px);
   void forget_old_captions();
   const PictureTiles& tiles_of(const Projection& projection);

@@ -17,8 +17,8 @@ namespace ergodome {
 //! Returns the aberration from the frame of an eye's observer to the frame of its lens chart.
 Aberration aberration_of(const StarEye& eye);
 
-//! Directions, solid angles and frequency ratios that an observer sees at positions in the chart;
-//! see ObservedPositionBatch.
+//! Directions, solid angles and frequency ratios that an observer sees at positions in the chart.
+//! See ObservedPositionBatch.
 struct ObservedPositions {
   std::vector<float> direction[3];
   std::vector<float> area;

@@ -42,8 +42,8 @@ class ProjectorWindows {
   //! waits for its display's refresh.
   void show(const PresentedPicture& master);
 
-  //! Sets the captions that are composited over the domemaster, which contains no captions itself;
-  //! without a layer, removes them. Captions have the layer's resolution.
+  //! Sets the captions that are composited over the domemaster, which contains no captions itself.
+  //! Without a layer, removes them. Captions have the layer's resolution.
   void lay_over(const LaidCaptions& captions);
 
   //! Replaces a projector's warp, offsets and colors, but not its masks. OpenGL draws its image

@@ -30,8 +30,8 @@ constexpr int no_program = 125;  //!< exit status if the program could not be ru
 //! behind.
 void end_with_parent() { ::prctl(PR_SET_PDEATHSIG, SIGKILL); }
 
-//! Ends a forked process. Skips exit handlers, which would wait for threads of loaded libraries;
-//! these threads do not exist after a fork.
+//! Ends a forked process. Skips exit handlers, which would wait for threads of loaded libraries.
+//! These threads do not exist after a fork.
 [[noreturn]] void end(int status) {
   std::cout.flush();
   std::fflush(nullptr);

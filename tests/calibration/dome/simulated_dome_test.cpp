@@ -110,8 +110,8 @@ class SimulatedDome : public FolderTest {
     return with;
   }
 
-  //! Checks that the dome shows the master. `optics`: lenses and poses of the installed projectors;
-  //! `frames`: their input; `max_off_px`: tolerance in pixels of the master.
+  //! Checks that the dome shows the master. `optics` has the lenses and poses of the installed
+  //! projectors, and `frames` their input. `max_off_px` is the tolerance in pixels of the master.
   static void expect_master(const DomeSetup& optics, const std::vector<Frame>& frames, double max_off_px = 0.5) {
     std::vector<ProjectorOptics> projectors;
     projectors.reserve(optics.projectors.size());

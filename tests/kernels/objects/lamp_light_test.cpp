@@ -153,8 +153,8 @@ TEST(LampLight, ThroughASphereAboutAHoleThatSpinsIsAllOfItsShadowButTheLightOfFu
   EXPECT_NEAR(through, 0.992 * captured, 2e-3 * captured);
 }
 
-//! Returns the illuminance of a moving surface in its rest frame. v: its velocity; n: its normal;
-//! d: the direction of the light. Computed from the four-vectors of light, surface and matter.
+//! Returns the illuminance of a moving surface in its rest frame. v is its velocity, n its normal,
+//! and d the direction of the light. Computed from the four-vectors of light, surface and matter.
 double met_by_moving(const Vector3<double>& v, const Vector3<double>& n, const Vector3<double>& d) {
   using Four = std::array<double, 4>;
   const auto product = [](const Four& a, const Four& b) {

@@ -114,10 +114,6 @@ StarImage image_of(const StarCandidate& c, const FieldStar& star, const Blackbod
   return image;
 }
 
-}  // namespace
-
-namespace {
-
 //! Approximate images, sorted by how they are processed.
 struct Sought {
   std::vector<StarCandidate> rays;  //!< candidates to be refined by rays

@@ -83,8 +83,8 @@ TEST_F(RayCommands, TraceWorksByEveryMethodInBothPrecisions) {
   write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi\n0.9,6,1.2,zamo,-0.2,0.3,0.9\n0.9,6,1.2,zamo,-1,0,0\n");
   for (const char* method : {"taylor", "rk34", "cash_karp", "closed_form", "baseline_rk34"}) {
     for (const char* precision : {"float", "double"}) {
-      // Options for tolerance and precision are given only to methods that follow rays in steps;
-      // the closed form accepts neither.
+      // Options for tolerance and precision are given only to methods that follow rays in steps.
+      // The closed form accepts neither.
       const std::string exact = std::string("trace --rays rays.csv --out out.csv --method ") + method;
       const bool follows = std::string(method) != "closed_form";
       ASSERT_EQ(run(follows ? exact + " --tolerance 1e-5 --precision " + precision : exact), 0) << output_;

@@ -25,7 +25,7 @@ class FollowedExposure : public CommandLine {
           "[[camera.key]]\nt_s = 0.8\nr = 4\nyaw_deg = 90\n[sky]\nmap = \"sky.ppm\"\n[view]\nsize_px = 32\n"
           "[tone]\nauto = { target = 0.18, adapt_s = 0.5, least_stops = -6, most_stops = 6 }\n");
     EXPECT_EQ(run("render fall.toml --backend cpu --out whole"), 0) << output_;
-    EXPECT_THAT(output_, Not(HasSubstr("begins anew")));
+    EXPECT_THAT(output_, Not(HasSubstr("starts again")));
   }
 
   [[nodiscard]] std::vector<std::uint16_t> frame(const std::string& folder, int number) const {
@@ -45,14 +45,14 @@ TEST_F(FollowedExposure, OfFramesThatAreResumedIsThatOfTheWhole) {
     std::filesystem::remove(folder_ / frame);
   }
   EXPECT_EQ(run("render fall.toml --backend cpu --out torn --resume"), 0) << output_;
-  EXPECT_THAT(output_, Not(HasSubstr("begins anew")));
+  EXPECT_THAT(output_, Not(HasSubstr("starts again")));
   expect_whole("torn");
 }
 
 TEST_F(FollowedExposure, OfPartsInOneFolderIsThatOfTheWhole) {
   EXPECT_EQ(run("render fall.toml --backend cpu --out parts --frames 1:3"), 0) << output_;
   EXPECT_EQ(run("render fall.toml --backend cpu --out parts --frames 4:8"), 0) << output_;
-  EXPECT_THAT(output_, Not(HasSubstr("begins anew")));
+  EXPECT_THAT(output_, Not(HasSubstr("starts again")));
   expect_whole("parts");
 }
 
@@ -78,7 +78,7 @@ TEST_F(FollowedExposure, DoesNotGoOnFromFramesThatWereAskedForOtherwise) {
 
 TEST_F(FollowedExposure, SaysNothingOfLightThatNoExposureChanges) {
   EXPECT_EQ(run("render fall.toml --backend cpu --out light --frames 5:6 --format exr"), 0) << output_;
-  EXPECT_THAT(output_, Not(HasSubstr("begins anew")));
+  EXPECT_THAT(output_, Not(HasSubstr("starts again")));
 }
 
 }  // namespace

@@ -378,8 +378,8 @@ TEST(SkyskanWarp, AppliesTweaksAndTheHeightOfItsRaster) {
                   "Horizontal Tweak=0.5\r\nVertical Tweak=2\r\nU Tweak=0.5\r\nV Tweak=-5");
   const ForeignWarp warp = parse_foreign_warp(wide, "a.txt", WarpFormat::skyskan);
   EXPECT_NEAR(warp.view->frustum.right_deg, 22.5, 1e-9);
-  // The vertical half angle is atan(1200 / 2048) = 30.3681°, from the aspect ratio of the raster;
-  // the vertical tweak doubles it.
+  // The vertical half angle is atan(1200 / 2048) = 30.3681°, from the aspect ratio of the raster.
+  // The vertical tweak doubles it.
   EXPECT_NEAR(warp.view->frustum.up_deg, 2.0 * 30.3681, 1e-3);
   expect_node(warp.mesh.at(1, 1), 1, 1, 0.45, 0.7);
   const ForeignWarp holed =

@@ -62,8 +62,8 @@ TEST(AccuracyAxes, AreWhatAReportHas) {
   EXPECT_EQ(report.width_px, 48);
   EXPECT_NEAR(report.pixel_arcmin, 180.0 * 60.0 / 48.0, 1e-9);
   EXPECT_FALSE(report.notes.empty());
-  // The settings of this axis are direct rays with errors of a quarter and a thousandth of a pixel;
-  // their pictures must be the same.
+  // The settings of this axis are direct rays with errors of a quarter and a thousandth of a pixel.
+  // Their pictures must be the same.
   EXPECT_LT(report.axes[1].choices[0].error.median, 0.01);
 }
 

@@ -37,8 +37,8 @@ BezierPatch random_patch(std::mt19937& random, double size) {
   return patch;
 }
 
-//! Returns how deep inside a frustum a direction is: the sine of the angle from its nearest side;
-//! negative if it is outside.
+//! Returns how deep inside a frustum a direction is: the sine of the angle from its nearest side.
+//! The value is negative if it is outside.
 double depth_in(const SkyFrustum& frustum, const Vector3<double>& d) {
   double depth = 1.0;
   for (const Vector3<double>& inward : frustum.inward) {
