@@ -10,6 +10,7 @@
 #include "content/show/disk.h"
 #include "content/show/fall_settings.h"
 #include "content/show/flight_settings.h"
+#include "content/show/headset_settings.h"
 #include "content/show/map_layout.h"
 #include "content/show/object_settings.h"
 #include "content/show/shells.h"
@@ -296,6 +297,7 @@ struct Show {
   std::optional<ReadoutSettings> readout;  //!< absent: not displayed
   Timeline timeline;
   FlightSettings flight;
+  HeadsetSettings headset;
 };
 
 //! Returns the spacetime of Show::spin. If the spin is animated, that is the fixed number of the

@@ -97,9 +97,10 @@ std::span<const ShowKey> show_keys() {
       table<&Show::disk>("disk", disk_keys), table<&Show::effects>("effects", effect_keys),
       table<&Show::view>("view", view_keys), table<&Show::stereo>("stereo", stereo_keys),
       table<&Show::tone>("tone", tone_keys), table<&Show::shells>("shells", shell_keys, "", max_shells),
-      table<&Show::flight>("flight", flight_keys), group<Show>("grid", grid_keys),
-      table<&Show::quality>("quality", quality_keys), table<&Show::readout>("readout", readout_keys),
-      part<&Show::timeline>(timeline_keys), table<&Show::objects>("objects", object_keys, "", max_objects),
+      table<&Show::flight>("flight", flight_keys), table<&Show::headset>("headset", headset_keys),
+      group<Show>("grid", grid_keys), table<&Show::quality>("quality", quality_keys),
+      table<&Show::readout>("readout", readout_keys), part<&Show::timeline>(timeline_keys),
+      table<&Show::objects>("objects", object_keys, "", max_objects),
       table<&Show::light>("light", light_keys).unused_if(unused_light));
   return all.keys;
 }

@@ -10,6 +10,7 @@ extern const KeyTable<DiskSettings> disk_keys;
 extern const KeyTable<EffectSettings> effect_keys;
 extern const KeyTable<FallSettings> fall_keys;
 extern const KeyTable<FlightSettings> flight_keys;
+extern const KeyTable<HeadsetSettings> headset_keys;
 extern const KeyTable<PointLight> light_keys;
 extern const KeyTable<NumberKey> number_key_keys;
 extern const KeyTable<ObjectSettings> object_keys;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "content/show/show.h"
 
@@ -35,6 +36,22 @@ constexpr bool has_camera_per_direction(const StereoSettings& stereo) {
 //! Returns whether the baseline fits at every camera position. Otherwise it may have to be reduced
 //! (render/stereo/eye_distance.h).
 constexpr bool fits_everywhere(StereoModel model) { return model == StereoModel::physical; }
+
+//! Returns the stereo model of a headset's eyes; absent for HeadsetStereo::mono, where both eyes see
+//! the head's view.
+constexpr std::optional<StereoModel> stereo_model(HeadsetStereo stereo) {
+  switch (stereo) {
+    case HeadsetStereo::flat:
+      return StereoModel::flat;
+    case HeadsetStereo::physical:
+      return StereoModel::physical;
+    case HeadsetStereo::omni:
+      return StereoModel::omni;
+    case HeadsetStereo::mono:
+      break;
+  }
+  return std::nullopt;
+}
 
 //! Returns the model that follows in the order of stereo_model_names; the first follows the last.
 constexpr StereoModel next_model(StereoModel model) {

@@ -123,6 +123,7 @@ const std::vector<DocumentedTable> documented_tables = {
     {"stereo.md", "## Keys", {"stereo"}},
     {"show-keys.md", "## `[tone]`", {"tone"}},
     {"show-keys.md", "## `[flight]`", {"flight"}},
+    {"show-keys.md", "## `[headset]`", {"headset"}},
     {"show-keys.md", "## `[grid]` and `[quality]`", {"grid", "quality"}},
     {"show-keys.md", "## `[readout]`", {"readout"}},
     {"show-keys.md", "## `[[animate]]`", {"animate"}},
