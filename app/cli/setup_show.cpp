@@ -8,6 +8,7 @@
 
 #include "app/cli/usage_error.h"
 #include "content/files/atomic_file.h"
+#include "content/show/stereo_eyes.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "render/eyes/view_projection.h"
@@ -55,6 +56,22 @@ void fit_to_setup(Show& show, const DomeSetup& setup, const std::string& stereo)
   show.view = view;
   // Projectors do not move, so the view must not change.
   std::erase_if(show.timeline.animations, [](const Animation& each) { return each.path.starts_with("view."); });
+}
+
+void fit_to_headset(Show& show) {
+  ViewSettings view;
+  view.projection = ViewProjection::cube;
+  view.cube_files = CubeFiles::strip;
+  view.field_of_view_deg = usual_field_of_view_deg(view.projection);
+  view.size_px = show.view.size_px;
+  show.view = view;
+  const std::optional<StereoModel> model = stereo_model(show.headset.stereo);
+  show.stereo = {};
+  show.stereo.layout = model ? StereoLayout::separate : StereoLayout::mono;
+  show.stereo.model = model.value_or(show.stereo.model);
+  std::erase_if(show.timeline.animations, [](const Animation& each) {
+    return each.path.starts_with("view.") || each.path.starts_with("stereo.");
+  });
 }
 
 std::vector<std::string> plain_names(const DomeSetup& setup) {

@@ -20,6 +20,10 @@ namespace ergodome {
 //! `stereo` (empty: not given).
 void fit_to_setup(Show& show, const DomeSetup& setup, const std::string& stereo = {});
 
+//! Makes a show render the whole sky as a strip of six faces of a cube, with the stereo model of its
+//! headset settings.
+void fit_to_headset(Show& show);
+
 //! Returns the projectors' names for files: characters other than letters, digits and - become _,
 //! and a name that is already taken gets its projector's number added.
 std::vector<std::string> plain_names(const DomeSetup& setup);

@@ -23,6 +23,7 @@
 #include "app/exhibit/supervisor.h"
 #include "app/playback/midi_time_code.h"
 #include "app/player/outputs/dome_output.h"
+#include "app/player/outputs/headset_output.h"
 #include "app/player/player.h"
 #include "app/player/recording/numbered_records.h"
 #include "app/player/renderers/play_renderers.h"
@@ -41,6 +42,7 @@ struct PlayArguments : ShowOverrides {
   std::string setup;
   std::optional<ProjectorOptions> projectors;  //!< projectors of the dome setup; empty without --setup
   bool hide_control = false;
+  bool headset = false;
   bool full_screen = false;
   bool size_given = false;
   bool tint_eyes = false;
@@ -76,9 +78,25 @@ void use_setup(PlayArguments& arguments) {
   }
 }
 
+//! Opens a headset. Without --size, pictures get the resolution of the headset.
+std::unique_ptr<DisplayOutput> open_headset(PlayArguments& arguments, const Show& show) {
+  HeadsetOptions headset;
+  headset.mirror.size = {960, 720};
+  headset.mirror.full_screen = arguments.full_screen || arguments.exhibit;
+  headset.settings = show.headset;
+  headset.may_be_absent = arguments.exhibit;
+  auto output = std::make_unique<HeadsetOutput>(headset);
+  arguments.options.size_px =
+      arguments.size_given ? cube_faces * arguments.options.size_px : output->fitting_size_px();
+  return output;
+}
+
 //! Opens the output that shows the pictures of a show. Eyes that layouts store separately are side
 //! by side in the window; those of quad_buffer and rows each fill it.
-std::unique_ptr<DisplayOutput> open_output(const PlayArguments& arguments, const Show& show) {
+std::unique_ptr<DisplayOutput> open_output(PlayArguments& arguments, const Show& show) {
+  if (arguments.headset) {
+    return open_headset(arguments, show);
+  }
   const Projection projection = make_projection(show.view, arguments.options.size_px, 0.0);
   const StereoLayout layout = show.stereo.layout;
   WindowOptions window;
@@ -98,6 +116,9 @@ Show loaded_show(const PlayArguments& arguments, const std::string& name) {
   if (has_face_files(show.view)) {
     // A window shows all faces in one image.
     show.view.cube_files = CubeFiles::cross;
+  }
+  if (arguments.headset) {
+    fit_to_headset(show);
   }
   show.stereo.tint_eyes = show.stereo.tint_eyes || arguments.tint_eyes;
   if (arguments.projectors) {
@@ -190,18 +211,19 @@ void run(PlayArguments arguments) {
     require_used_memory(show, arguments.lens);
   }
   report_equal_eyes(show);
-  if (keeps_eyes_apart(show.stereo.layout) && !arguments.projectors) {
+  if (keeps_eyes_apart(show.stereo.layout) && !arguments.projectors && !arguments.headset) {
     print_note("the window shows stereo layout {} side by side; only render writes separate images",
                stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]);
   }
   const Backend backend = choose_backend(arguments.backend);
+  std::unique_ptr<DisplayOutput> output = open_output(arguments, show);
   // With a budget, the line about the chosen settings reports on the lenses, so notes on a coarse
   // trajectory are omitted.
   const RendererLoader::Make make =
       renderer_maker({backend, arguments.backend == "auto", arguments.lens, options.size_px, arguments.budget.empty(),
                       options.notes, arguments.options.language});
   std::shared_ptr<ShowRenderer> first = use_budget(arguments, show, make);
-  Player player(show, with_first(make, show.name, std::move(first)), open_output(arguments, show), options);
+  Player player(show, with_first(make, show.name, std::move(first)), std::move(output), options);
   player.run();
   // Makes threads that are still loading give up: the player did not wait for them.
   stop_reading();
@@ -250,6 +272,13 @@ void add_dome_options(CLI::App& command, PlayArguments& arguments, IgnoredOption
       ->needs(setup);
   ignored.add("with --setup, which fixes the projection",
               [&arguments] { return !arguments.setup.empty() && arguments.projection != "dome"; }, {"--projection"});
+}
+
+void add_headset_options(CLI::App& command, PlayArguments& arguments, IgnoredOptions& ignored) {
+  command.option_defaults()->group("Headsets");
+  command.add_flag("--headset", arguments.headset, "show in a headset (OpenXR), with a mirror window for the operator");
+  ignored.add("with --headset, which shows the whole sky", [&arguments] { return arguments.headset; },
+              {"--setup", "--projection", "--stereo"});
 }
 
 void add_control_options(CLI::App& command, PlayArguments& arguments) {
@@ -338,6 +367,7 @@ void add_play_command(CLI::App& app) {
   IgnoredOptions ignored(*command);
   add_picture_options(*command, *arguments);
   add_dome_options(*command, *arguments, ignored);
+  add_headset_options(*command, *arguments, ignored);
   add_backend_option(*command, arguments->backend);
   add_lens_options(*command, arguments->lens, ignored);
   add_budget_option(*command, arguments->budget);

@@ -107,6 +107,16 @@ void Navigator::set_spacetime(Spacetime spacetime) {
   }
 }
 
+void Navigator::look(const glm::dquat& orientation) {
+  if (course_ != Course::free) {
+    return;
+  }
+  CameraPose here = pose_of(placement_);
+  here.orientation = key_orientation(CameraKey()) * orientation;
+  placement_.view = placement_of(here).view;
+  turn_ = glm::dvec3(0.0);
+}
+
 void Navigator::step(const Steering& steering, double seconds) {
   // `east_` keeps its sign where the camera crosses the spin axis. So near the axis, the motion
   // around it that a step to the east causes fades out, and continues in the other direction

@@ -43,6 +43,10 @@ class Navigator {
   //! Restarts free flight in the show's flight mode, at rest at the show's first camera key.
   void reset();
 
+  //! Turns the view of a camera off its path, in which it flies, to that of a viewer's head.
+  //! `orientation` rotates the view's axes into level ones (ViewerHead::look).
+  void look(const glm::dquat& orientation);
+
   void set_mode(FlightMode mode);
   //! Selects the next flight mode and takes the camera off the path. If the path is in free fall,
   //! the first mode is to continue that fall.

@@ -18,6 +18,7 @@
 #include "kernels/core/angles.h"
 #include "render/output/stereo_layout.h"
 #include "render/passes/overlay/camera_readout.h"
+#include "render/present/headset/head_motion.h"
 
 namespace ergodome {
 
@@ -29,6 +30,9 @@ SessionOptions session_options(const PlayOptions& options, bool free_flight, con
           .one_eye = output.is_dome(),
           .plain_window = !output.has_eye_buffers()};
 }
+
+//! Removes turns, which a viewer's head makes instead.
+void stop_turns(Steering& steering) { steering.yaw = steering.pitch = steering.roll = 0.0; }
 
 std::unique_ptr<HidApi> hid_api(const PlayOptions& options) {
   return options.pad_fixture.empty() ? make_hid_library() : play_hid_fixture(options.pad_fixture);
@@ -124,7 +128,7 @@ void Player::begin(const Show& show, bool free_flight) {
 void Player::run() {
   while (!output_->closed() && !interrupted()) {
     advance();
-    if (pictures_.shows_now(session_->now_s())) {
+    if (output_->sets_pace() || pictures_.shows_now(session_->now_s())) {
       output_->show();
     }
     end_in_time();
@@ -158,6 +162,12 @@ void Player::advance() {
   PlayerInput input = inputs_.gather(events, pad_snapshot_, radians_per_px);
   input.commands = services_.commands();
   input.display_delay_s = output_wish_.display_delay_s;
+  if (output_wish_.head) {
+    input.look = output_wish_.head->look;
+    output_->turn_viewer(input.steering.rates.yaw);
+    stop_turns(input.steering.rates);
+    stop_turns(input.steering.amounts);
+  }
   advance_exhibit(input);
   session_->advance(input);
   answer_requests();
@@ -204,9 +214,28 @@ void Player::update_picture() {
   PictureRequest wish;
   wish.frame = session_->frame();
   wish.output = output_wish_;
+  add_head(wish);
   const bool words_changed = add_words(wish);
   const bool light_asked = add_light(wish);
   note(pictures_.advance(*session_, std::move(wish), words_changed || light_asked));
+}
+
+void Player::add_head(PictureRequest& wish) {
+  if (!wish.output.head) {
+    return;
+  }
+  // A motion of the head that changes directions by less than this needs no new picture [rad].
+  constexpr double invisible = 2e-4;
+  ViewerHead& head = *wish.output.head;
+  const double r = wish.frame.pose.r;
+  wish.scale_per_m = scale_per_meter(session_->show().headset, r, horizon_radius(session_->spacetime()));
+  if (wish.scale_per_m * glm::length(head.offset_m - head_offset_m_) > invisible * r) {
+    head_offset_m_ = head.offset_m;
+  }
+  head.offset_m = head_offset_m_;
+  if (!session_->playback().baseline()) {
+    wish.frame.stereo.baseline = wish.scale_per_m * head.eye_distance_m;
+  }
 }
 
 void Player::note(PictureNews news) {

@@ -79,6 +79,8 @@ class Player {
   void report_notes();
   void update_picture();
   void note(PictureNews news);
+  //! Adds the scale of a viewer's head, and the baseline of its eyes, to a request.
+  void add_head(PictureRequest& wish);
   void report_reduced_baseline();
   void advance_exhibit(PlayerInput& input);
   void change_scene();
@@ -109,6 +111,7 @@ class Player {
   std::vector<std::string> damage_;  //!< errors of files that were ignored at the start
   std::unique_ptr<DisplayOutput> output_;
   OutputWish output_wish_;  //!< what the output needs for the next picture
+  glm::dvec3 head_offset_m_{0.0};  //!< ViewerHead::offset_m of the last request
   EyeNotice eye_notice_;
   std::optional<PlayerSession> session_;
   PlayerInputs inputs_;

@@ -128,6 +128,9 @@ void PlayerSession::navigate(const PlayerInput& input, double seconds) {
     navigator_->leave_path();
   }
   navigator_->set_spacetime(spacetime());
+  if (input.look) {
+    navigator_->look(*input.look);
+  }
   navigator_->advance(seconds, input.steering, camera_pose(show_, time_s));
 }
 

@@ -44,6 +44,16 @@ class SessionPictures {
   PictureFlow flow_;
   std::optional<PlayBudget> budget_;
   std::optional<ImageSize> window_;  //!< last size of the window
+  //! What of a viewer's head determines pictures.
+  struct PictureHead {
+    explicit PictureHead(const ViewerHead& head)
+        : turn(head.turn), offset_m(head.offset_m), eye_distance_m(head.eye_distance_m) {}
+    bool operator==(const PictureHead&) const = default;
+    glm::dquat turn;
+    glm::dvec3 offset_m;
+    double eye_distance_m;
+  };
+  std::optional<PictureHead> head_;  //!< of the last request
   int failures_ = 0;                 //!< consecutive pictures that failed
   long shown_pictures_ = -1;         //!< number of pictures when the output was last shown
   double shown_s_ = 0.0;             //!< when the output was last shown

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "content/camera/camera_path.h"
 #include "kernels/projection/projection.h"
 #include "render/output/stereo_layout.h"
 #include "render/passes/overlay/caption_layer.h"
@@ -25,12 +26,40 @@ struct OutputEye {
   Projection projection;                //!< frustum or other projection, and the picture's size
 };
 
+//! A flat panel for captions.
+struct CaptionPanel {
+  ImageSize size = {0, 0};   //!< [px]
+  double half_width = 1.0;   //!< tangent of the angle from the panel's middle to its side
+
+  bool operator==(const CaptionPanel&) const = default;
+};
+
+//! A viewer's head, whose orientation replaces that of the camera. Its axes (x right, y up, z back)
+//! relate to the level axes of the observer: x along e_φ, y along -e_θ (up along the spin axis), z
+//! along e_r, so that the hole is in front.
+struct ViewerHead {
+  glm::dquat look{1.0, 0.0, 0.0, 0.0};  //!< rotates the head's axes into the level axes, for steering
+  //! Rotates the axes of the pictures into the level axes. It changes only when pictures with
+  //! another direction between the eyes are needed.
+  glm::dquat turn{1.0, 0.0, 0.0, 0.0};
+  glm::dvec3 offset_m{0.0};     //!< position of the head relative to the observer, in the level axes [m]
+  double eye_distance_m = 0.0;  //!< distance between the eyes
+
+  bool operator==(const ViewerHead&) const = default;
+};
+
 //! An output's requirements for its next frame.
 struct OutputWish {
   //! Eyes whose views the output defines, at most two, the left one first. Empty: the player
   //! renders the eyes of the show's stereo settings, in the show's projection, as large as it can
   //! render in time.
   std::vector<OutputEye> eyes;
+  //! Head of the viewer, if the output follows one.
+  std::optional<ViewerHead> head;
+  //! Size of a flat panel on which the captions are shown apart from the picture.
+  std::optional<CaptionPanel> caption_panel;
+  //! Width of an eye's picture below which its quality is not reduced to save time [px].
+  int smallest_px = 192;
   //! Show time of the frame [s]. Absent: the player's, when the frame is seen.
   std::optional<double> show_time_s;
   //! Stops of the frame before, from which automatic exposure continues. Absent: those of the last
@@ -64,6 +93,10 @@ struct OutputFrame {
   EyeGrid eye_grid;  //!< arrangement of the eyes in the shown picture
   //! Captions over each eye's picture, at the window's resolution; may be empty.
   LaidCaptions captions;
+  //! ViewerHead::turn of the wish that the frame fulfills.
+  glm::dquat turn{1.0, 0.0, 0.0, 0.0};
+  CameraPose observer{};       //!< camera of the show or of the flight, without the viewer's head
+  double show_time_s = 0.0;    //!< show time of the frame
   //! The pictures in GPU memory, which replace the pixels above; valid until the next wish().
   std::optional<DevicePicture> on_device;
 };
@@ -97,10 +130,18 @@ class DisplayOutput : public Output {
 
   //! Returns whether each eye can have a separate buffer (EyesInWindow::in_buffers).
   [[nodiscard]] virtual bool has_eye_buffers() const { return false; }
+  //! Returns whether show() has to be called for every frame, because it waits for the display.
+  [[nodiscard]] virtual bool sets_pace() const { return false; }
   //! Returns whether the audience sees a dome instead of the window. The picture then shows the
   //! head's view, the player does not change the eyes, and help is drawn as a caption in the
   //! picture.
   [[nodiscard]] virtual bool is_dome() const { return false; }
+
+  //! Turns the surroundings of a viewer whose head an output follows. `rate`: -1 to 1, positive to
+  //! the right.
+  virtual void turn_viewer(double /*rate*/) {}
+  //! Returns the state of a device that the output shows on, for operators; empty if there is none.
+  [[nodiscard]] virtual std::string state_text() const { return {}; }
 
   //! Returns the input events since the last call; waits some milliseconds for them.
   [[nodiscard]] virtual std::vector<WindowEvent> events() { return {}; }

@@ -10,6 +10,8 @@
 
 #include "app/player/renderers/picture_error.h"
 #include "app/player/renderers/picture_light.h"
+#include "kernels/projection/make_projection.h"
+#include "render/present/headset/head_motion.h"
 #include "render/output/color_bar.h"
 #include "render/output/stereo_layout.h"
 
@@ -76,8 +78,22 @@ void set_up(ShowRenderer& renderer, const PictureRequest& request) {
   OverlayPass& overlays = renderer.overlays();
   overlays.set_language(frame.language);
   overlays.set_captions(frame.captions);
-  overlays.set_captions_apart(request.output.window || projectors_caption_px(request) > 0);
+  overlays.set_captions_apart(request.output.window || request.output.caption_panel ||
+                              projectors_caption_px(request) > 0);
   overlays.set_extra(request.captions, request.captions_opacity);
+}
+
+//! Returns the pose of a viewer's head at an observer. `scale_per_m`: length in the scene of a metre
+//! in the viewer's room [M].
+CameraPose head_pose(const Show& show, const CameraPose& observer, const ViewerHead& head, double scale_per_m) {
+  CameraPose pose = observer;
+  pose.orientation = key_orientation(CameraKey());
+  const glm::dvec3 offset = scale_per_m * head.offset_m;
+  if (glm::length(offset) > 0.0) {
+    pose = moved_head(show, pose, {offset.x, offset.y, offset.z});
+  }
+  pose.orientation = glm::normalize(pose.orientation * head.turn);
+  return pose;
 }
 
 EyesInWindow eyes_in_window(StereoLayout layout) {
@@ -167,6 +183,12 @@ void show_eyes_of_show(ShowRenderer& renderer, const PictureRequest& request, co
   } else {
     show_eyes(renderer, frame, projection, moment, answer);
   }
+  if (const std::optional<CaptionPanel>& panel = request.output.caption_panel) {
+    const double fov = 2.0 * std::atan(panel->half_width);
+    answer.captions = renderer.caption_layer(make_pinhole_projection(panel->size.width, panel->size.height, fov),
+                                             frame.mode, frame.time_s);
+    return;
+  }
   const std::optional<ImageSize>& window = request.output.window;
   const int width_px = window ? caption_width_px(*window, layout, projection) : projectors_caption_px(request);
   if (width_px > 0) {
@@ -177,8 +199,14 @@ void show_eyes_of_show(ShowRenderer& renderer, const PictureRequest& request, co
 
 }  // namespace
 
-PictureAnswer render_for_output(const PictureRequest& request) {
-  ShowRenderer& renderer = *request.renderer;
+PictureAnswer render_for_output(const PictureRequest& asked) {
+  ShowRenderer& renderer = *asked.renderer;
+  PictureRequest request = asked;
+  if (asked.output.head) {
+    // Baked lenses are only for positions on the path, so a head moves off it only without them.
+    const double scale = renderer.stream_statistics() ? 0.0 : asked.scale_per_m;
+    request.frame.pose = head_pose(renderer.show(), asked.frame.pose, *asked.output.head, scale);
+  }
   const PlayerFrame& frame = request.frame;
   set_up(renderer, request);
   const Projection projection = make_projection(renderer.show().view, request.size_px, frame.field_of_view_deg);
@@ -198,6 +226,9 @@ PictureAnswer render_for_output(const PictureRequest& request) {
     show_own_eyes(renderer, request, moment, answer);
   }
   answer.reduced = renderer.reduced_baseline();
+  answer.turn = request.output.head ? request.output.head->turn : answer.turn;
+  answer.observer = asked.frame.pose;
+  answer.show_time_s = frame.time_s;
   if (request.errors_asked) {
     const auto begun = Clock::now();
     answer.errors_px = picture_errors(renderer, request, projection, moment);

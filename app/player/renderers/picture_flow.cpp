@@ -10,7 +10,6 @@ namespace {
 //! Maximum time of a picture while something moves: ten per second, with time left for the rest of
 //! the machine.
 constexpr double moving_budget_ms = 70.0;
-constexpr int smallest_px = 192;
 
 //! A picture has hung if it takes at least `min_hang_s`, and more than `hang_factor` times as
 //! long as expected from the last one. The first picture, which also prepares data for later ones,
@@ -37,6 +36,7 @@ PictureNews PictureFlow::advance(const PictureRequest& wish, bool changed, bool 
   const bool whole = wish.renderer && wish.renderer->backend() != Backend::cpu;
   if (pending_) {
     if (!moving || !pace_ || pace_->is_due(now_())) {
+      moving_size_px_ = std::max(moving_size_px_, wish.output.smallest_px);
       const int moving_px = hold_ ? hold_->size_px : whole ? finest_px_ : moving_size_px_;
       ask(wish, std::min(moving_px, finest_px_), moving);
     }
@@ -81,6 +81,7 @@ void PictureFlow::ask(PictureRequest wish, int size_px, bool moving) {
   asked_moving_ = moving;
   wish.size_px = size_px;
   asked_size_px_ = size_px;
+  smallest_px_ = wish.output.smallest_px;
   pending_ = false;
   refining_ = false;
   source_.ask(wish);
@@ -102,7 +103,7 @@ PictureNews PictureFlow::receive() {
   // Time is proportional to the number of pixels. Takes a damped step toward the width that fits.
   const double wished = answer->size_px * std::sqrt(moving_budget_ms / std::max(answer->time_ms, 1.0));
   moving_size_px_ =
-      std::clamp(static_cast<int>(0.5 * (moving_size_px_ + wished)), std::min(smallest_px, finest_px_), finest_px_);
+      std::clamp(static_cast<int>(0.5 * (moving_size_px_ + wished)), std::min(smallest_px_, finest_px_), finest_px_);
   note_interval();
   report_.frame_time_ms = answer->time_ms;
   report_.errors_px = answer->errors_px;

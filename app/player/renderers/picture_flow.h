@@ -78,6 +78,7 @@ class PictureFlow {
   bool refining_ = false;     //!< the last picture is current but may become finer
   int moving_size_px_ = 256;  //!< width at which a picture takes about `moving_budget_ms`
   int asked_size_px_ = 0;
+  int smallest_px_ = 0;  //!< OutputWish::smallest_px of the current request
   SecondsSource now_;
   std::optional<PictureHold> hold_;
   std::optional<FramePace> pace_;        //!< the pace to hold, if any

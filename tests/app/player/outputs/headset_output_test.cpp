@@ -1,0 +1,235 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <glm/gtc/quaternion.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "content/show/reading/show_reader.h"
+#include "kernels/projection/make_projection.h"
+#include "render/frame/show_renderer.h"
+#include "render/output/tone_map.h"
+#include "tests/app/cli/command_line.h"
+#include "tests/support/openxr_runtime/test_head.h"
+
+// The program in the headset of the test runtime: what it submits, and what becomes of it when the
+// runtime misbehaves.
+
+namespace ergodome::test {
+
+namespace {
+
+using nlohmann::json;
+namespace xr = openxr_test;
+
+//! A standing camera before a sky with structure everywhere, without what covers the sky.
+constexpr const char* standing = R"(
+duration_s = 10
+[hole]
+spin = 0.9
+[camera]
+keys = [{ time = 0, r = 12, theta_deg = 80, phi_deg = 20 }]
+[sky]
+map = "clouds.ppm"
+[quality]
+budget_px = 0.1
+[headset]
+stereo = "mono"
+scale = 1e-9
+rest_frame = false
+panel = false
+vignette = 0
+fade_s = 0
+)";
+
+glm::dquat quaternion(const std::array<double, 4>& q) { return {q[3], q[0], q[1], q[2]}; }
+
+//! Returns the direction of a head at a display time, to the left of the room's front [rad].
+double heading_at(std::int64_t time_ns) {
+  const glm::dvec3 forward = quaternion(xr::head_in_stage(time_ns).rotation) * glm::dvec3(0.0, 0.0, -1.0);
+  return std::atan2(-forward.x, -forward.z);
+}
+
+//! A picture's luminance, 0 to 255, row by row.
+struct Luminance {
+  int width = 0;
+  int height = 0;
+  std::vector<double> values;
+
+  [[nodiscard]] double at(int x, int y) const { return values[static_cast<std::size_t>(y * width + x)]; }
+};
+
+Luminance luminance_of(int width, int height, const std::uint8_t* rgb) {
+  Luminance picture{width, height, {}};
+  for (int i = 0; i < width * height; ++i) {
+    picture.values.push_back(0.25 * rgb[3 * i] + 0.5 * rgb[3 * i + 1] + 0.25 * rgb[3 * i + 2]);
+  }
+  return picture;
+}
+
+Luminance read_picture(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string kind;
+  int width = 0;
+  int height = 0;
+  int white = 0;
+  stream >> kind >> width >> height >> white;
+  stream.get();
+  std::vector<std::uint8_t> rgb(static_cast<std::size_t>(3 * width * height));
+  stream.read(reinterpret_cast<char*>(rgb.data()), static_cast<std::streamsize>(rgb.size()));
+  EXPECT_TRUE(stream.good()) << file;
+  return luminance_of(width, height, rgb.data());
+}
+
+//! Returns the shifts between tiles of two pictures [px]: those that minimize the squared
+//! difference to first order. Tiles without enough structure in both directions are left out.
+std::vector<double> shifts(const Luminance& a, const Luminance& b) {
+  constexpr int tile_px = 32;
+  std::vector<double> found;
+  for (int top = 1; top + tile_px < a.height; top += tile_px) {
+    for (int left = 1; left + tile_px < a.width; left += tile_px) {
+      double xx = 0.0;
+      double xy = 0.0;
+      double yy = 0.0;
+      double xd = 0.0;
+      double yd = 0.0;
+      for (int y = top; y < top + tile_px; ++y) {
+        for (int x = left; x < left + tile_px; ++x) {
+          const double gx = 0.5 * (b.at(x + 1, y) - b.at(x - 1, y));
+          const double gy = 0.5 * (b.at(x, y + 1) - b.at(x, y - 1));
+          const double difference = a.at(x, y) - b.at(x, y);
+          xx += gx * gx;
+          xy += gx * gy;
+          yy += gy * gy;
+          xd += gx * difference;
+          yd += gy * difference;
+        }
+      }
+      const double determinant = xx * yy - xy * xy;
+      // At least 3 of 255 per pixel in the direction with the least structure.
+      if (determinant / std::max(xx + yy, 1e-9) > 9.0 * tile_px * tile_px) {
+        found.push_back(std::hypot((yy * xd - xy * yd) / determinant, (xx * yd - xy * xd) / determinant));
+      }
+    }
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+double at_part(const std::vector<double>& sorted, double part) {
+  return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
+}
+
+}  // namespace
+
+class HeadsetOutput : public CommandLine {
+ protected:
+  void SetUp() override {
+    CommandLine::SetUp();
+    if (!has_display()) {
+      GTEST_SKIP() << "no virtual display here (xvfb-run)";
+    }
+    write("show.toml", standing);
+    // Smooth noise, so that shifts of a fraction of a pixel can be measured.
+    std::string clouds = "P3 256 128 255\n";
+    for (int y = 0; y < 128; ++y) {
+      for (int x = 0; x < 256; ++x) {
+        const double u = 6.28318530718 * x / 256.0;
+        const double v = 6.28318530718 * y / 128.0;
+        const auto wave = [&](double p, double q, double phase) { return std::sin(p * u + q * v + phase); };
+        const double value = wave(23, 7, 0.1) + wave(-17, 19, 1.3) + wave(31, -11, 2.9) + wave(5, 29, 4.0);
+        const std::string level = std::to_string(static_cast<int>(120 + 30 * value));
+        clouds += level + " " + level + " " + level + "\n";
+      }
+    }
+    write("clouds.ppm", clouds);
+  }
+
+  //! Plays show.toml in the headset of the test runtime. Returns the exit status.
+  int play(const std::string& script, const std::string& options = "") {
+    return run_on_display("play show.toml --headset --backend cpu --quiet --no-sound " + options,
+                          "XR_RUNTIME_JSON='" ERGODOME_OPENXR_RUNTIME
+                          "' XR_ENABLE_API_LAYERS=XR_APILAYER_LUNARG_core_validation XR_CORE_VALIDATION_EXPORT_TYPE=text "
+                          "XR_CORE_VALIDATION_FILE_NAME=validation.txt XDG_STATE_HOME=state ERGODOME_OPENXR_TEST='log=log.txt;" +
+                              script + "'");
+  }
+
+  //! Returns the lines of the runtime's log.
+  [[nodiscard]] std::vector<json> log() const {
+    std::vector<json> lines;
+    std::ifstream stream(folder_ / "log.txt");
+    for (std::string line; std::getline(stream, line);) {
+      lines.push_back(json::parse(line));
+    }
+    return lines;
+  }
+
+  //! Returns the lines that have a key.
+  [[nodiscard]] std::vector<json> lines_with(const char* key) const {
+    std::vector<json> found;
+    std::ranges::copy_if(log(), std::back_inserter(found), [&](const json& line) { return line.contains(key); });
+    return found;
+  }
+
+  [[nodiscard]] std::string validation() const {
+    std::ifstream stream(folder_ / "validation.txt");
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  //! Renders the view of an eye with a ray for each pixel. `front`: the room's direction in which
+  //! the hole is [rad].
+  [[nodiscard]] Luminance direct_view(ShowRenderer& renderer, int eye, std::int64_t time_ns, double front) const {
+    const xr::Pose pose = xr::compose(xr::head_in_stage(time_ns), xr::eye_in_head(eye, 0.064));
+    const xr::FieldOfView field = xr::field_of_view(eye, time_ns);
+    CameraPose camera = camera_pose(renderer.show(), 0.0);
+    camera.orientation = key_orientation(CameraKey()) * glm::angleAxis(-front, glm::dvec3(0.0, 1.0, 0.0)) *
+                         quaternion(pose.rotation);
+    const Projection projection = make_frustum_projection(
+        320, 352, {std::tan(field.left), std::tan(field.right), std::tan(field.up), std::tan(field.down)});
+    Picture picture = renderer.render_eye(camera, 0.0, projection, ViewMode::sky, {0.0});
+    picture.tone = renderer.tone();
+    return luminance_of(320, 352, tone_mapped(picture).data());
+  }
+};
+
+TEST_F(HeadsetOutput, PicturesAreThoseOfDirectRaysForEachEyeAndTime) {
+  ASSERT_EQ(play("frames=500;pictures=pictures;every=50"), 0) << output_;
+  EXPECT_EQ(lines_with("violation"), std::vector<json>{});
+  EXPECT_EQ(validation(), "");
+  const std::vector<json> frames = lines_with("frame");
+  ASSERT_GE(frames.size(), 500U);
+  const double front = heading_at(frames.front().at("display_time_ns").get<std::int64_t>());
+  ShowRenderer renderer(read_show((folder_ / "show.toml").string()), Backend::cpu, LensChoice::direct);
+  int compared = 0;
+  for (const json& frame : frames) {
+    const auto number = frame.at("frame").get<int>();
+    // The first pictures are coarse, until the sky of the position has its final resolution.
+    if (number < 200) {
+      continue;
+    }
+    for (const int eye : {0, 1}) {
+      char name[64];
+      std::snprintf(name, sizeof name, "pictures/frame-%05d-%s.ppm", number, eye == 0 ? "left" : "right");
+      if (!std::filesystem::exists(folder_ / name)) {
+        continue;
+      }
+      ++compared;
+      const std::vector<double> found =
+          shifts(read_picture(folder_ / name),
+                 direct_view(renderer, eye, frame.at("display_time_ns").get<std::int64_t>(), front));
+      ASSERT_GT(found.size(), 40U) << name;
+      EXPECT_LT(at_part(found, 0.5), 0.05) << name;
+      EXPECT_LT(at_part(found, 0.95), 0.25) << name;
+    }
+  }
+  EXPECT_GE(compared, 12);
+}
+
+}  // namespace ergodome::test
