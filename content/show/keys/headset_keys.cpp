@@ -9,7 +9,7 @@ constexpr auto keys_of_headset = keys_of<HeadsetSettings>(
         .words(headset_stereo_names),
     key<&HeadsetSettings::scale>("scale",
                                  "Length in the show for one meter of the viewer's room. 0: a tenth of the distance "
-                                 "to the horizon.")
+                                 "to the horizon (see below).")
         .range(0.0, 1e6, "M/m"),
     key<&HeadsetSettings::rest_frame>("rest_frame", "A ring and a floor grid that are fixed in the viewer's room."),
     key<&HeadsetSettings::vignette>("vignette", "Strength of the vignette while the camera moves. 0: none.")
