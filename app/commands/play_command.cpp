@@ -43,6 +43,7 @@ struct PlayArguments : ShowOverrides {
   std::optional<ProjectorOptions> projectors;  //!< projectors of the dome setup; empty without --setup
   bool hide_control = false;
   bool headset = false;
+  std::optional<double> headset_scale;  //!< replaces HeadsetSettings::scale
   bool full_screen = false;
   bool size_given = false;
   bool tint_eyes = false;
@@ -118,6 +119,7 @@ Show loaded_show(const PlayArguments& arguments, const std::string& name) {
     show.view.cube_files = CubeFiles::cross;
   }
   if (arguments.headset) {
+    show.headset.scale = arguments.headset_scale.value_or(show.headset.scale);
     fit_to_headset(show);
   }
   show.stereo.tint_eyes = show.stereo.tint_eyes || arguments.tint_eyes;
@@ -276,7 +278,13 @@ void add_dome_options(CLI::App& command, PlayArguments& arguments, IgnoredOption
 
 void add_headset_options(CLI::App& command, PlayArguments& arguments, IgnoredOptions& ignored) {
   command.option_defaults()->group("Headsets");
-  command.add_flag("--headset", arguments.headset, "show in a headset (OpenXR), with a mirror window for the operator");
+  CLI::Option* const headset = command.add_flag(
+      "--headset", arguments.headset, "show in a headset (OpenXR), with a mirror window for the operator");
+  command
+      .add_option("--headset-scale", arguments.headset_scale,
+                  "length in the scene of one meter in the room (default: the show's) [M]")
+      ->check(number_between(1e-9, 1e6))
+      ->needs(headset);
   ignored.add("with --headset, which shows the whole sky", [&arguments] { return arguments.headset; },
               {"--setup", "--projection", "--stereo"});
 }

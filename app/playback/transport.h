@@ -136,6 +136,7 @@ struct PlayerStatus {
   std::string observer;  //!< name of the observer, and its speed
   std::string lens;
   std::string backend;
+  std::string display;  //!< state of the headset, if there is to be one; otherwise empty
   double frame_ms = 0.0;
   double worst_frame_ms = 0.0;  //!< longest frame time of the last ten seconds
   long frames = 0;

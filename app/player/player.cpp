@@ -168,7 +168,8 @@ void Player::advance() {
     stop_turns(input.steering.rates);
     stop_turns(input.steering.amounts);
   }
-  advance_exhibit(input);
+  const bool arrived = follow_attention(input);
+  advance_exhibit(input, arrived);
   session_->advance(input);
   answer_requests();
   reload(false);
@@ -181,6 +182,20 @@ void Player::advance() {
   update_texts();
   post_status();
   keep_recording(RecordingMoment::frame);
+}
+
+bool Player::follow_attention(PlayerInput& input) {
+  const bool attended = output_->attended();
+  if (std::exchange(attended_, attended) == attended) {
+    return false;
+  }
+  if (!attended && session_->playback().instant().playing && !exhibit_) {
+    pauses_alone_ = true;
+    input.commands.push_back({TransportCommand::Kind::pause, 0.0, {}});
+  } else if (attended && std::exchange(pauses_alone_, false)) {
+    input.commands.push_back({TransportCommand::Kind::play, 0.0, {}});
+  }
+  return attended;
 }
 
 void Player::answer_requests() {
@@ -408,6 +423,7 @@ void Player::post_status() {
   const PictureReport& report = pictures_.report();
   status.lens = report.lens;
   status.backend = pictures_.renderers().backend();
+  status.display = output_->state_text();
   status.frame_ms = report.frame_time_ms;
   status.frames = report.pictures;
   status.problem = report.problem;
@@ -443,11 +459,11 @@ void Player::print_statistics() const {
   }
 }
 
-void Player::advance_exhibit(PlayerInput& input) {
+void Player::advance_exhibit(PlayerInput& input, bool arrived) {
   if (!exhibit_) {
     return;
   }
-  const bool another = exhibit_->advance(session_->now_s(), inputs_.touched(), inputs_.chord_held());
+  const bool another = exhibit_->advance(session_->now_s(), arrived || inputs_.touched(), inputs_.chord_held());
   if (exhibit_->left()) {
     end("an operator ended it with keys or buttons");
   }

@@ -79,10 +79,14 @@ class Player {
   void report_notes();
   void update_picture();
   void note(PictureNews news);
+  //! Pauses the show while nobody looks at the output, and lets an exhibit know when someone does.
+  //! Returns whether someone began to look.
+  bool follow_attention(PlayerInput& input);
   //! Adds the scale of a viewer's head, and the baseline of its eyes, to a request.
   void add_head(PictureRequest& wish);
   void report_reduced_baseline();
-  void advance_exhibit(PlayerInput& input);
+  //! `arrived`: a visitor began to look at the output in this frame.
+  void advance_exhibit(PlayerInput& input, bool arrived);
   void change_scene();
   //! Requests the lit part of a visitor's view if it is due. Returns whether it is.
   bool add_light(PictureRequest& wish);
@@ -111,6 +115,8 @@ class Player {
   std::vector<std::string> damage_;  //!< errors of files that were ignored at the start
   std::unique_ptr<DisplayOutput> output_;
   OutputWish output_wish_;  //!< what the output needs for the next picture
+  bool attended_ = true;       //!< DisplayOutput::attended() of the last frame
+  bool pauses_alone_ = false;  //!< the show is paused because nobody looks
   glm::dvec3 head_offset_m_{0.0};  //!< ViewerHead::offset_m of the last request
   EyeNotice eye_notice_;
   std::optional<PlayerSession> session_;

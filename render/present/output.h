@@ -140,6 +140,8 @@ class DisplayOutput : public Output {
   //! Turns the surroundings of a viewer whose head an output follows. `rate`: -1 to 1, positive to
   //! the right.
   virtual void turn_viewer(double /*rate*/) {}
+  //! Returns false while nobody looks at the output: while a headset is not worn.
+  [[nodiscard]] virtual bool attended() const { return true; }
   //! Returns the state of a device that the output shows on, for operators; empty if there is none.
   [[nodiscard]] virtual std::string state_text() const { return {}; }
 

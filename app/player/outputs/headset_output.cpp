@@ -281,6 +281,12 @@ int HeadsetOutput::fitting_size_px() const {
   return cube_faces * face_px;
 }
 
+bool HeadsetOutput::attended() const {
+  // Before its first frame a headset is being started, and without one the window is watched.
+  return !session_ || !located_ || session_->state() == HeadsetState::visible ||
+         session_->state() == HeadsetState::focused;
+}
+
 std::string HeadsetOutput::state_text() const {
   if (!session_) {
     return "no headset: " + problem_;

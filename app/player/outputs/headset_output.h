@@ -45,6 +45,7 @@ class HeadsetOutput : public DisplayOutput {
   void set_text(PanelPosition position, const std::string& text) override;
   void save_screenshot(const std::string& file) override;
   void turn_viewer(double rate) override;
+  [[nodiscard]] bool attended() const override;
   [[nodiscard]] std::string state_text() const override;
 
   //! Returns the width of a picture whose pixels are as small as those of the headset [px].

@@ -128,6 +128,7 @@ std::string status_json(const PlayerStatus& status) {
                        {"observer", status.observer},
                        {"lens", status.lens},
                        {"backend", status.backend},
+                       {"display", status.display},
                        {"frame_ms", status.frame_ms},
                        {"worst_frame_ms", status.worst_frame_ms},
                        {"frames", status.frames},
