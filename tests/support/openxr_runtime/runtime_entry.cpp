@@ -190,7 +190,8 @@ XrResult negotiate(const NegotiateLoaderInfo* loader, NegotiateRuntimeRequest* r
 }  // namespace ergodome::openxr_test
 
 // NOLINTNEXTLINE(readability-identifier-naming): the loader looks for this name
-extern "C" XRAPI_ATTR XrResult XRAPI_CALL xrNegotiateLoaderRuntimeInterface(const void* loader, void* request) {
+extern "C" [[gnu::visibility("default")]] XrResult XRAPI_CALL xrNegotiateLoaderRuntimeInterface(const void* loader,
+                                                                                                void* request) {
   using namespace ergodome::openxr_test;
   return negotiate(static_cast<const NegotiateLoaderInfo*>(loader), static_cast<NegotiateRuntimeRequest*>(request));
 }

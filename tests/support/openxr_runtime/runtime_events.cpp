@@ -19,6 +19,19 @@ const char* state_name(XrSessionState state) {
   return names.at(static_cast<std::size_t>(state));
 }
 
+std::string event_name(XrStructureType type) {
+  switch (type) {
+    case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
+      return "INSTANCE_LOSS_PENDING";
+    case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED:
+      return "INTERACTION_PROFILE_CHANGED";
+    case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING:
+      return "REFERENCE_SPACE_CHANGE_PENDING";
+    default:
+      return std::to_string(type);
+  }
+}
+
 std::ptrdiff_t running_rank(XrSessionState state) {
   return std::find(running_states.begin(), running_states.end(), state) - running_states.begin();
 }
@@ -61,7 +74,7 @@ void log_polled(const XrEventDataBuffer& event) {
     }
     runtime_log().write({{"state", state_name(changed.state)}, {"frame", runtime().frame()}});
   } else {
-    runtime_log().write({{"event", static_cast<int>(event.type)}, {"frame", runtime().frame()}});
+    runtime_log().write({{"event", event_name(event.type)}, {"frame", runtime().frame()}});
   }
 }
 
