@@ -99,7 +99,10 @@ OpenXrFunctions OpenXrLibrary::functions(XrInstance instance) const {
   }
   ERGO_OPENXR_FUNCTIONS(ERGO_LOAD)
   ERGO_OPENXR_FUNCTIONS(ERGO_REQUIRE)
-  ERGO_OPENXR_OPTIONAL_FUNCTIONS(ERGO_LOAD)
+  // Layers return functions of extensions that are not enabled, which crash when they are called.
+  if (enabled(XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME)) {
+    ERGO_LOAD(ConvertTimespecTimeToTimeKHR)
+  }
 #undef ERGO_REQUIRE
 #undef ERGO_LOAD
   return found;

@@ -20,7 +20,7 @@
 namespace ergodome {
 
 // clang-format off
-//! Lists the functions that a session calls; those of the second list may be missing.
+//! Lists the functions that a session calls.
 #define ERGO_OPENXR_FUNCTIONS(X)                                                                             \
   X(DestroyInstance) X(GetInstanceProperties) X(PollEvent) X(ResultToString) X(StringToPath) X(PathToString)  \
   X(GetSystem) X(GetSystemProperties) X(EnumerateViewConfigurations) X(EnumerateViewConfigurationViews)       \
@@ -32,14 +32,14 @@ namespace ergodome {
   X(CreateActionSet) X(DestroyActionSet) X(CreateAction) X(SuggestInteractionProfileBindings)                 \
   X(AttachSessionActionSets) X(SyncActions) X(GetActionStateBoolean) X(GetActionStateFloat)                   \
   X(GetActionStateVector2f) X(ApplyHapticFeedback) X(GetCurrentInteractionProfile)
-#define ERGO_OPENXR_OPTIONAL_FUNCTIONS(X) X(ConvertTimespecTimeToTimeKHR)
 // clang-format on
 
 //! The functions of a loaded OpenXR runtime, named without their prefix "xr".
 struct OpenXrFunctions {
 #define ERGO_MEMBER(name) PFN_xr##name name = nullptr;
   ERGO_OPENXR_FUNCTIONS(ERGO_MEMBER)
-  ERGO_OPENXR_OPTIONAL_FUNCTIONS(ERGO_MEMBER)
+  //! nullptr unless the runtime has XR_KHR_convert_timespec_time.
+  ERGO_MEMBER(ConvertTimespecTimeToTimeKHR)
 #undef ERGO_MEMBER
 };
 
