@@ -30,7 +30,7 @@ struct Script {
   std::string profile = "/interaction_profiles/oculus/touch_controller";
   std::vector<Input> inputs;
   std::set<std::string> modes;
-  //! What could not be parsed, one message each.
+  //! Messages about parts that could not be parsed.
   std::vector<std::string> errors;
 
   [[nodiscard]] bool has(const char* mode) const { return modes.contains(mode); }

@@ -126,7 +126,7 @@ struct Runtime {
   //! Suggested bindings by interaction profile.
   std::map<std::string, std::vector<std::pair<XrAction, std::string>>> bindings;
 
-  // What outlives an instance, until another script is set.
+  // These outlive an instance, until another script is set.
   std::uint64_t frames = 0;
   std::uint64_t frames_with_layers = 0;
   std::uint64_t pictures = 0;
