@@ -126,10 +126,12 @@ TEST_F(OpenXrTestRuntime, ReportsEveryMistake) {
 }
 
 TEST_F(OpenXrTestRuntime, LocatesTheEyesWhereTheClosedFormsAre) {
+  int frames = 0;
   for (const json& line : log_of("clean")) {
     if (!line.contains("layers") || line["layers"].empty()) {
       continue;
     }
+    ++frames;
     const std::int64_t time_ns = line["display_time_ns"];
     const Pose eye = compose(head_in_stage(time_ns), eye_in_head(1, 0.064));
     const FieldOfView fov = field_of_view(1, time_ns);
@@ -141,6 +143,7 @@ TEST_F(OpenXrTestRuntime, LocatesTheEyesWhereTheClosedFormsAre) {
     EXPECT_NEAR(view["fov"][0].get<double>(), fov.left, 1e-6);
     EXPECT_NEAR(view["fov"][3].get<double>(), fov.down, 1e-6);
   }
+  EXPECT_EQ(frames, 58);
 }
 
 TEST_F(OpenXrTestRuntime, WritesPicturesWithTheTopRowFirst) {

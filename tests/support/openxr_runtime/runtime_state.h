@@ -24,7 +24,7 @@ struct Swapchain {
   std::uint32_t next_image = 0;
   //! The oldest acquired image was waited for.
   bool waited = false;
-  //! What is left of a slow wait that timed out.
+  //! The rest of a slow wait that timed out.
   std::optional<std::int64_t> wait_left_ns;
   std::optional<std::uint32_t> released;
   //! The frame in which the image was released.
