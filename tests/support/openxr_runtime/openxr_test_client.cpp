@@ -23,7 +23,7 @@ namespace {
 //! Returns a structure of which only the type is set.
 template <typename Structure>
 Structure of_type(XrStructureType type) {
-  Structure structure{};
+  Structure structure{};  // NOLINT(bugprone-invalid-enum-default-initialization): the caller sets the others
   structure.type = type;
   return structure;
 }

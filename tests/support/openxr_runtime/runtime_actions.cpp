@@ -124,7 +124,7 @@ XrResult suggest_bindings(XrInstance instance, const XrInteractionProfileSuggest
       fail(XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "action_order", "the action set is already attached");
     }
     if (!has_component(profile, path)) {
-      fail(XR_ERROR_PATH_UNSUPPORTED, "binding", profile + " has no component " + path);
+      fail(XR_ERROR_PATH_UNSUPPORTED, "binding", std::string("the profile has no component ").append(path));
     }
     bindings.emplace_back(binding.action, path);
     lines.push_back({{"action", action.name}, {"path", path}});

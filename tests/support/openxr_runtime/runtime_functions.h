@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstring>
+
 #include "tests/support/openxr_runtime/runtime_state.h"
 
 // The runtime's functions, named like OpenXR's. runtime_entry.cpp counts and guards their calls.

@@ -31,7 +31,7 @@ void create_other_context(Session& session) {
     session.other_context = glXCreateNewContext(display, configs[0], GLX_RGBA_TYPE, nullptr, 1);
   }
   if (configs != nullptr) {
-    XFree(configs);
+    XFree(static_cast<void*>(configs));
   }
   if (session.other_context == nullptr) {
     runtime_log().note("no_other_context", "the mode changes_context has no effect");

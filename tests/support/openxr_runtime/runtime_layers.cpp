@@ -1,7 +1,6 @@
 // Checks the layers that a program submits, and logs them.
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 #include "tests/support/openxr_runtime/runtime_functions.h"
 #include "tests/support/openxr_runtime/runtime_gl.h"
@@ -39,9 +38,15 @@ void check_part(const XrSwapchainSubImage& part, bool must_be_new) {
   }
 }
 
-bool are_equal(const XrView& located, const XrCompositionLayerProjectionView& shown, bool compares_pose) {
-  return (compares_pose ? std::memcmp(&located.pose, &shown.pose, sizeof shown.pose) == 0
-                        : std::memcmp(&located.fov, &shown.fov, sizeof shown.fov) == 0);
+bool are_equal(const XrPosef& a, const XrPosef& b) {
+  return a.position.x == b.position.x && a.position.y == b.position.y && a.position.z == b.position.z &&
+         a.orientation.x == b.orientation.x && a.orientation.y == b.orientation.y &&
+         a.orientation.z == b.orientation.z && a.orientation.w == b.orientation.w;
+}
+
+bool are_equal(const XrFovf& a, const XrFovf& b) {
+  return a.angleLeft == b.angleLeft && a.angleRight == b.angleRight && a.angleUp == b.angleUp &&
+         a.angleDown == b.angleDown;
 }
 
 //! Checks that pose and field of view are those of xrLocateViews for this time in the layer's space.
@@ -56,8 +61,8 @@ void check_located(Session& session, XrTime time, XrSpace space, std::uint32_t i
       continue;
     }
     was_located = true;
-    has_pose = has_pose || !located->second.valid || are_equal(located->second.views[index], view, true);
-    has_fov = has_fov || are_equal(located->second.views[index], view, false);
+    has_pose = has_pose || !located->second.valid || are_equal(located->second.views[index].pose, view.pose);
+    has_fov = has_fov || are_equal(located->second.views[index].fov, view.fov);
   }
   if (!was_located) {
     runtime_log().violation("not_located", "xrLocateViews was not called for this time and space");

@@ -112,6 +112,7 @@ XrResult enumerate_swapchain_images(XrSwapchain handle, std::uint32_t capacity, 
   const Swapchain& swapchain = used_swapchain(handle).first;
   auto* const output = reinterpret_cast<XrSwapchainImageOpenGLKHR*>(images);
   std::vector<XrSwapchainImageOpenGLKHR> all;
+  all.reserve(swapchain.textures.size());
   for (const GLuint texture : swapchain.textures) {
     all.push_back({XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR, nullptr, texture});
   }
