@@ -11,7 +11,7 @@ enum class HeadsetStereo : std::int32_t { flat, physical, omni, mono };
 //! Names of HeadsetStereo, in its order.
 inline constexpr std::array headset_stereo_names = {"flat", "physical", "omni", "mono"};
 
-//! How a headset shows a show, and what makes that comfortable: a show's [headset].
+//! Stereo and comfort settings of headsets: a show's [headset].
 struct HeadsetSettings {
   HeadsetStereo stereo = HeadsetStereo::flat;
   //! Length in the show that corresponds to a meter of the viewer's room [M per meter]; 0: derived

@@ -4,8 +4,8 @@
 
 namespace ergodome {
 
-//! What happened up to a frame of a headset. Numbers that are not finite or out of range are
-//! replaced by the nearest valid one, NaN by 0.
+//! Motion and requests since the last frame of a headset. Numbers out of range are clamped, and NaN
+//! counts as 0.
 struct ComfortInput {
   //! Speed of the camera since the last frame [1/s]: the length of its velocity, divided by its
   //! distance from the hole.
@@ -18,7 +18,7 @@ struct ComfortInput {
   double exposure_stops = 0.0;  //!< requested exposure, clamped to ±max_comfort_stops
 };
 
-//! How a frame is to be shown.
+//! Settings with which one frame is drawn.
 struct ComfortState {
   //! Fraction of the light that is removed outside the clear part of the view, 0 to 1.
   double vignette = 0.0;
@@ -37,9 +37,10 @@ inline constexpr double max_comfort_stops = 80.0;
 //! 60° for 0 to 35° for 1.
 double clear_half_angle_rad(double vignette);
 
-//! Limits what moves and flickers in a headset: vignette, fades through black, snap turns and
-//! exposure. Time passes only in advance(), and its division into frames does not matter, except
-//! that a jump of the yaw is always in a black frame.
+//! Computes the vignette, fades through black, snap turns and limited exposure of a headset.
+//!
+//! Time passes only in advance(). The result does not depend on the frame rate, with one exception:
+//! a frame in which the yaw jumps is always black, even if it is late.
 class HeadsetComfort {
  public:
   //! Starts with full light. The first frame adopts the requested exposure.
@@ -57,14 +58,15 @@ class HeadsetComfort {
   ComfortState advance(double seconds, const ComfortInput& input);
 
  private:
-  //! Seconds of the three parts of a snap turn's fade; both fades last equally long.
+  //! Returns the time for which the view stays black around a snap turn [s].
   [[nodiscard]] double dark_s() const;
+  //! Returns the duration of the fade before a snap turn, and of the one after it [s].
   [[nodiscard]] double snap_fade_s() const;
   void advance_vignette(double seconds, double speed, double smooth_turn);
   void advance_fade(double seconds);
   void advance_exposure(double seconds, double stops);
   void turn(double angle_rad);
-  //! Applies the requested snap turns, in the dark or without fades.
+  //! Turns the view by requested_rad_.
   void turn_as_requested();
 
   HeadsetSettings settings_;

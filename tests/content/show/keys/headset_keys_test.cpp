@@ -37,7 +37,7 @@ TEST(HeadsetReader, TakesEveryKeyAndWritesItBack) {
   EXPECT_THAT(unused_keys(show), IsEmpty());
 }
 
-TEST(HeadsetReader, IsComfortableByDefault) {
+TEST(HeadsetReader, HasComfortableDefaults) {
   const HeadsetSettings headset = parse_show("[[camera.key]]\nr = 12\n", "h.toml").headset;
   EXPECT_EQ(headset, HeadsetSettings());
   EXPECT_EQ(headset, show_with_headset("").headset);
