@@ -30,7 +30,7 @@ double length_of(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
 TEST(HeadMotion, HasAScaleWithComfortableDisparityAtAnyDistance) {
   constexpr double eye_distance_m = 0.064;
-  for (const double r : {2.05, 2.2, 3.0, 10.0, 1e3, 1e9}) {
+  for (const double r : {2.05, 2.2, 3.0, 10.0, 1e3, 1e5}) {
     const double scale = scale_per_meter({}, r, 2.0);
     EXPECT_GT(scale, 0.0) << r;
     if (r < 2.3) {
