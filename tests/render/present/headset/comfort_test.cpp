@@ -25,25 +25,25 @@ ComfortState after_frames(HeadsetComfort& comfort, int count, double seconds, co
   return state;
 }
 
-ComfortInput moving(double speed) {
+ComfortInput with_speed(double speed) {
   ComfortInput input;
   input.speed = speed;
   return input;
 }
 
-ComfortInput snap(double steps) {
+ComfortInput with_snap_turns(double steps) {
   ComfortInput input;
   input.snap_turn = steps;
   return input;
 }
 
-ComfortInput cut() {
+ComfortInput with_cut() {
   ComfortInput input;
   input.cut = true;
   return input;
 }
 
-ComfortInput exposed(double stops) {
+ComfortInput with_exposure(double stops) {
   ComfortInput input;
   input.exposure_stops = stops;
   return input;
@@ -52,8 +52,8 @@ ComfortInput exposed(double stops) {
 TEST(HeadsetComfort, ClosesTheVignetteFastAndOpensItSlowly) {
   HeadsetComfort comfort({});
   EXPECT_EQ(comfort.advance(0.01, {}).vignette, 0.0);
-  EXPECT_NEAR(comfort.advance(0.075, moving(0.6)).vignette, 0.5, 1e-12);
-  const ComfortState closed = comfort.advance(0.0751, moving(0.6));
+  EXPECT_NEAR(comfort.advance(0.075, with_speed(0.6)).vignette, 0.5, 1e-12);
+  const ComfortState closed = comfort.advance(0.0751, with_speed(0.6));
   EXPECT_EQ(closed.vignette, 1.0);
   EXPECT_NEAR(closed.clear_half_angle_rad, 35.0 * one_degree, 1e-12);
   EXPECT_NEAR(comfort.advance(0.25, {}).vignette, 0.5, 1e-12);
@@ -72,15 +72,15 @@ TEST(HeadsetComfort, HasAVignetteThatGrowsWithTheSpeedUpToItsStrength) {
     HeadsetComfort strong({});
     HeadsetComfort weaker(weak);
     HeadsetComfort none(off);
-    const double vignette = after_frames(strong, 100, 0.01, moving(speed)).vignette;
+    const double vignette = after_frames(strong, 100, 0.01, with_speed(speed)).vignette;
     EXPECT_GE(vignette, before) << speed;
-    EXPECT_NEAR(after_frames(weaker, 100, 0.01, moving(speed)).vignette, 0.4 * vignette, 1e-12) << speed;
-    EXPECT_EQ(after_frames(none, 100, 0.01, moving(speed)).vignette, 0.0) << speed;
+    EXPECT_NEAR(after_frames(weaker, 100, 0.01, with_speed(speed)).vignette, 0.4 * vignette, 1e-12) << speed;
+    EXPECT_EQ(after_frames(none, 100, 0.01, with_speed(speed)).vignette, 0.0) << speed;
     before = vignette;
   }
   EXPECT_EQ(before, 1.0);
   HeadsetComfort halfway({});
-  const double vignette = after_frames(halfway, 100, 0.01, moving(0.25)).vignette;
+  const double vignette = after_frames(halfway, 100, 0.01, with_speed(0.25)).vignette;
   EXPECT_GT(vignette, 0.4);
   EXPECT_LT(vignette, 0.6);
 }
@@ -88,11 +88,11 @@ TEST(HeadsetComfort, HasAVignetteThatGrowsWithTheSpeedUpToItsStrength) {
 TEST(HeadsetComfort, IsBlackAtACutAndFadesIn) {
   HeadsetComfort comfort({});
   EXPECT_EQ(comfort.advance(0.01, {}).light, 1.0);
-  EXPECT_EQ(comfort.advance(0.01, cut()).light, 0.0);
+  EXPECT_EQ(comfort.advance(0.01, with_cut()).light, 0.0);
   EXPECT_NEAR(comfort.advance(0.1, {}).light, 1.0 / 3.0, 1e-12);
   EXPECT_NEAR(comfort.advance(0.1, {}).light, 2.0 / 3.0, 1e-12);
   EXPECT_EQ(comfort.advance(0.1001, {}).light, 1.0);
-  EXPECT_EQ(comfort.advance(5.0, cut()).light, 0.0) << "also in a late frame";
+  EXPECT_EQ(comfort.advance(5.0, with_cut()).light, 0.0) << "also in a late frame";
 }
 
 TEST(HeadsetComfort, TurnsOnlyInTheDark) {
@@ -101,7 +101,7 @@ TEST(HeadsetComfort, TurnsOnlyInTheDark) {
     settings.fade_s = fade_s;
     for (const double frame_s : {1.0 / 120.0, 1.0 / 72.0, 0.1, 1.0}) {
       HeadsetComfort comfort(settings);
-      double yaw_rad = comfort.advance(frame_s, snap(1.0)).yaw_rad;
+      double yaw_rad = comfort.advance(frame_s, with_snap_turns(1.0)).yaw_rad;
       EXPECT_EQ(yaw_rad, 0.0);
       int jumps = 0;
       double light = 0.0;
@@ -123,7 +123,7 @@ TEST(HeadsetComfort, TurnsOnlyInTheDark) {
 
 TEST(HeadsetComfort, FadesOutBeforeATurnAndInAfterIt) {
   HeadsetComfort comfort({});
-  EXPECT_EQ(comfort.advance(0.01, snap(-1.0)).light, 1.0);
+  EXPECT_EQ(comfort.advance(0.01, with_snap_turns(-1.0)).light, 1.0);
   // 0.13 s out, 0.04 s dark, 0.13 s in.
   EXPECT_NEAR(comfort.advance(0.065, {}).light, 0.5, 1e-9);
   ComfortState state = comfort.advance(0.066, {});
@@ -136,24 +136,24 @@ TEST(HeadsetComfort, FadesOutBeforeATurnAndInAfterIt) {
 
 TEST(HeadsetComfort, AddsTurnsThatComeBeforeTheDark) {
   HeadsetComfort comfort({});
-  comfort.advance(0.01, snap(1.0));
-  comfort.advance(0.05, snap(1.0));
+  comfort.advance(0.01, with_snap_turns(1.0));
+  comfort.advance(0.05, with_snap_turns(1.0));
   const ComfortState before = comfort.advance(0.05, {});
   EXPECT_EQ(before.yaw_rad, 0.0);
   EXPECT_GT(before.light, 0.0);
   EXPECT_NEAR(comfort.advance(0.05, {}).yaw_rad, 60.0 * one_degree, 1e-12);
 
   HeadsetComfort changed_mind({});
-  changed_mind.advance(0.01, snap(1.0));
-  const double light = changed_mind.advance(0.05, snap(-1.0)).light;
+  changed_mind.advance(0.01, with_snap_turns(1.0));
+  const double light = changed_mind.advance(0.05, with_snap_turns(-1.0)).light;
   const ComfortState state = changed_mind.advance(0.01, {});
   EXPECT_EQ(state.yaw_rad, 0.0);
   EXPECT_GT(state.light, light);
   EXPECT_LT(state.light, 0.9) << "does not flash";
 
   HeadsetComfort cut_meanwhile({});
-  cut_meanwhile.advance(0.01, snap(1.0));
-  const ComfortState dark = cut_meanwhile.advance(0.01, cut());
+  cut_meanwhile.advance(0.01, with_snap_turns(1.0));
+  const ComfortState dark = cut_meanwhile.advance(0.01, with_cut());
   EXPECT_EQ(dark.light, 0.0);
   EXPECT_NEAR(dark.yaw_rad, 30.0 * one_degree, 1e-12) << "a cut is dark";
 }
@@ -163,14 +163,14 @@ TEST(HeadsetComfort, WithoutFadesActsAtOnce) {
   settings.fade_s = 0.0;
   HeadsetComfort comfort(settings);
   for (int turns = 1; turns <= 6; ++turns) {
-    ComfortInput input = cut();
+    ComfortInput input = with_cut();
     input.snap_turn = 1.0;
     const ComfortState state = comfort.advance(0.01, input);
     EXPECT_EQ(state.light, 1.0);
     EXPECT_NEAR(std::remainder(state.yaw_rad - turns * 30.0 * one_degree, full_turn), 0.0, 1e-12);
   }
   for (int turns = 0; turns < 100; ++turns) {
-    EXPECT_LE(std::abs(comfort.advance(0.01, snap(1.0)).yaw_rad), pi);
+    EXPECT_LE(std::abs(comfort.advance(0.01, with_snap_turns(1.0)).yaw_rad), pi);
   }
 }
 
@@ -191,20 +191,20 @@ TEST(HeadsetComfort, TurnsSmoothlyOnlyWithoutSnapTurns) {
 
 TEST(HeadsetComfort, LimitsChangesOfTheExposure) {
   HeadsetComfort comfort({});
-  EXPECT_EQ(comfort.advance(0.01, exposed(-3.0)).exposure_stops, -3.0) << "the first frame has no history";
-  EXPECT_NEAR(after_frames(comfort, 50, 0.01, exposed(5.0)).exposure_stops, -2.5, 1e-9);
-  EXPECT_NEAR(after_frames(comfort, 100, 0.01, exposed(-9.0)).exposure_stops, -3.5, 1e-9);
-  EXPECT_EQ(comfort.advance(0.6, exposed(-4.0)).exposure_stops, -4.0) << "does not overshoot";
-  ComfortInput jump = cut();
+  EXPECT_EQ(comfort.advance(0.01, with_exposure(-3.0)).exposure_stops, -3.0) << "the first frame has no history";
+  EXPECT_NEAR(after_frames(comfort, 50, 0.01, with_exposure(5.0)).exposure_stops, -2.5, 1e-9);
+  EXPECT_NEAR(after_frames(comfort, 100, 0.01, with_exposure(-9.0)).exposure_stops, -3.5, 1e-9);
+  EXPECT_EQ(comfort.advance(0.6, with_exposure(-4.0)).exposure_stops, -4.0) << "does not overshoot";
+  ComfortInput jump = with_cut();
   jump.exposure_stops = 6.0;
   EXPECT_EQ(comfort.advance(0.01, jump).exposure_stops, 6.0);
   HeadsetSettings settings;
   settings.exposure_rate = 4.0;
   comfort.change(settings);
-  EXPECT_NEAR(comfort.advance(0.5, exposed(0.0)).exposure_stops, 4.0, 1e-12);
+  EXPECT_NEAR(comfort.advance(0.5, with_exposure(0.0)).exposure_stops, 4.0, 1e-12);
   settings.exposure_rate = 0.0;
   comfort.change(settings);
-  EXPECT_EQ(comfort.advance(0.001, exposed(-20.0)).exposure_stops, -20.0);
+  EXPECT_EQ(comfort.advance(0.001, with_exposure(-20.0)).exposure_stops, -20.0);
 }
 
 //! Returns the states of a busy second and a half, every 24th of a second, for frames of 1 / rate_hz.
@@ -283,7 +283,7 @@ TEST(HeadsetComfort, StaysWithinLimitsWhateverTheInput) {
 
 TEST(HeadsetComfort, TakesNaNForZero) {
   HeadsetComfort comfort({});
-  after_frames(comfort, 100, 0.01, moving(1.0));
+  after_frames(comfort, 100, 0.01, with_speed(1.0));
   ComfortInput input;
   input.speed = nan_value;
   input.snap_turn = nan_value;

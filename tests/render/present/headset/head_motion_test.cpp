@@ -13,8 +13,8 @@
 namespace ergodome {
 namespace {
 
-constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 Show show_at_radius(double r, const std::string& observer = "zamo", double spin = 0.9) {
   Show show = parse_show("[camera]\nobserver = \"" + observer +
@@ -51,16 +51,16 @@ TEST(HeadMotion, TakesTheScaleOfTheShow) {
   HeadsetSettings settings;
   settings.scale = 0.3;
   EXPECT_EQ(scale_per_meter(settings, 10.0, 2.0), 0.3);
-  EXPECT_EQ(scale_per_meter(settings, nan_value, 2.0), 0.3);
+  EXPECT_EQ(scale_per_meter(settings, no_number, 2.0), 0.3);
   EXPECT_NEAR(scale_per_meter({}, 10.0, 2.0), 0.8, 1e-12);
-  for (const double unusable : {-1.0, nan_value, infinite}) {
+  for (const double unusable : {-1.0, no_number, unbounded}) {
     settings.scale = unusable;
     EXPECT_NEAR(scale_per_meter(settings, 10.0, 2.0), 0.8, 1e-12);
   }
   EXPECT_NEAR(scale_per_meter({}, 1.5, 2.0), 0.015, 1e-12) << "inside the horizon";
-  EXPECT_EQ(scale_per_meter({}, nan_value, 2.0), 0.0);
-  EXPECT_EQ(scale_per_meter({}, infinite, 2.0), 0.0);
-  EXPECT_EQ(scale_per_meter({}, 10.0, nan_value), 0.0);
+  EXPECT_EQ(scale_per_meter({}, no_number, 2.0), 0.0);
+  EXPECT_EQ(scale_per_meter({}, unbounded, 2.0), 0.0);
+  EXPECT_EQ(scale_per_meter({}, 10.0, no_number), 0.0);
   EXPECT_EQ(scale_per_meter({}, -1.0, 2.0), 0.0);
 }
 
@@ -68,12 +68,12 @@ TEST(HeadMotion, ShortensLongOffsetsAndKeepsTheirDirection) {
   const Vector3<double> kept = limited_head_offset({0.3, -0.4, 0.0}, 1.0);
   EXPECT_EQ(kept.x, 0.3);
   EXPECT_EQ(kept.y, -0.4);
-  const Vector3<double> cut = limited_head_offset({3.0, -4.0, 12.0}, 2.6);
-  EXPECT_NEAR(cut.x, 0.6, 1e-12);
-  EXPECT_NEAR(cut.y, -0.8, 1e-12);
-  EXPECT_NEAR(cut.z, 2.4, 1e-12);
-  for (const double any : {nan_value, infinite, -infinite, 1e308}) {
-    for (const double maximum : {0.0, 2.0, -1.0, nan_value}) {
+  const Vector3<double> shortened = limited_head_offset({3.0, -4.0, 12.0}, 2.6);
+  EXPECT_NEAR(shortened.x, 0.6, 1e-12);
+  EXPECT_NEAR(shortened.y, -0.8, 1e-12);
+  EXPECT_NEAR(shortened.z, 2.4, 1e-12);
+  for (const double any : {no_number, unbounded, -unbounded, 1e308}) {
+    for (const double maximum : {0.0, 2.0, -1.0, no_number}) {
       const Vector3<double> v = limited_head_offset({any, any, 1.0}, maximum);
       EXPECT_LE(length_of(v), (maximum > 0.0 ? maximum : 0.0) + 1e-12);
     }
@@ -110,8 +110,10 @@ TEST(HeadMotion, KeepsTheHeadOutsideTheHorizon) {
     const Show show = show_at_radius(r);
     const CameraPose pose = camera_pose(show, 0.0);
     EXPECT_GT(max_head_offset(spacetime_of(show), pose), 0.1 * (r - horizon_radius(spacetime_of(show)))) << r;
-    for (const Vector3<double>& offset :
-         {Vector3<double>{0.0, 0.0, -1e6}, {0.0, 0.0, -infinite}, {infinite, 1.0, -infinite}, {nan_value, 0.0, -1e9}}) {
+    for (const Vector3<double>& offset : {Vector3<double>{0.0, 0.0, -1e6},
+                                          {0.0, 0.0, -unbounded},
+                                          {unbounded, 1.0, -unbounded},
+                                          {no_number, 0.0, -1e9}}) {
       const CameraPose moved = moved_head(show, pose, offset);
       EXPECT_GT(moved.r, horizon_radius(spacetime_of(show))) << r;
       EXPECT_TRUE(std::isfinite(moved.r + moved.theta + moved.phi)) << r;
