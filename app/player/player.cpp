@@ -86,6 +86,9 @@ Player::Player(const Show& show, const RendererLoader::Make& make, std::unique_p
       services_.report(spdlog::level::warn, damage);
     }
   }
+  if (options_.guide) {
+    inputs_.set_lock(InputLock::guide);
+  }
   pictures_.renderers().prepare(ExhibitScene::attract, first);
   pictures_.renderers().enter(ExhibitScene::attract, first);
   begin(first, options_.free_flight && !exhibit_);
@@ -107,6 +110,7 @@ void Player::begin(const Show& show, bool free_flight) {
   const bool dark = exhibit_ && session_ && session_->playback().dark();
   session_.emplace(show, session_options(options_, free_flight, *output_));
   eye_notice_.begin();
+  pulses_.begin();
   session_->show_times(options_.times_shown);
   // The attract show is not a visitor's flight.
   if (recording_.wanted() && (!exhibit_ || exhibit_->scene() == ExhibitScene::visitor)) {
@@ -157,6 +161,9 @@ void Player::run() {
 void Player::advance() {
   const std::vector<WindowEvent> events = output_->events();
   pad_snapshot_ = pads_.snapshot();
+  if (const std::optional<HeadsetHands> hands = output_->hands()) {
+    headset_pad_.add_to(pad_snapshot_, *hands);
+  }
   output_wish_ = output_->wish();
   const double radians_per_px = session_->frame().field_of_view_deg * one_degree / std::max(output_->size().width, 1);
   PlayerInput input = inputs_.gather(events, pad_snapshot_, radians_per_px);
@@ -171,6 +178,7 @@ void Player::advance() {
   const bool arrived = follow_attention(input);
   advance_exhibit(input, arrived);
   session_->advance(input);
+  pulse_at_thresholds();
   answer_requests();
   reload(false);
   services_.report_waiting_shows();
@@ -196,6 +204,13 @@ bool Player::follow_attention(PlayerInput& input) {
     input.commands.push_back({TransportCommand::Kind::play, 0.0, {}});
   }
   return attended;
+}
+
+void Player::pulse_at_thresholds() {
+  const std::optional<ThresholdPulse> pulse = pulses_.advance(session_->spacetime(), session_->frame().pose.r);
+  if (pulse && options_.haptics) {
+    output_->pulse(pulse->duration_s, pulse->strength);
+  }
 }
 
 void Player::answer_requests() {

@@ -13,6 +13,8 @@
 #include "app/pads/hid/hid_api.h"
 #include "app/player/eye_notice.h"
 #include "app/player/frame_times.h"
+#include "app/player/outputs/headset_pad.h"
+#include "app/player/outputs/threshold_pulses.h"
 #include "app/player/player_inputs.h"
 #include "app/player/player_services.h"
 #include "app/player/player_session.h"
@@ -30,6 +32,8 @@ struct PlayOptions {
   bool quiet = false;  //!< shows only text that keys request
   //! Ends this long after the first frame [s]; absent: runs until it is closed.
   std::optional<double> for_seconds;
+  bool guide = false;        //!< inputs only move the camera forward and back
+  bool haptics = true;       //!< the controllers of a headset vibrate at photon orbits and the horizon
   bool times_shown = false;  //!< shows the frame time and the lens over the picture
   std::string screenshot;    //!< last contents of the window (PNG); empty: none
   std::string language;
@@ -69,6 +73,8 @@ class Player {
   //! Starts a show from its beginning.
   void begin(const Show& show, bool free_flight);
   void advance();
+  //! Lets the controllers of a headset vibrate where the camera crosses a threshold.
+  void pulse_at_thresholds();
   void answer_requests();
   void reload(bool now);
   void take_renderer();
@@ -123,6 +129,8 @@ class Player {
   PlayerInputs inputs_;
   PadHub pads_;
   PadSnapshot pad_snapshot_;
+  HeadsetPad headset_pad_;
+  ThresholdPulses pulses_;
   SessionPictures pictures_;
   PlayerServices services_;
   std::optional<ExhibitScenes> exhibit_;

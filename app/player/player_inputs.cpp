@@ -18,6 +18,13 @@ bool is_for_visitors(KeyAction action) {
   return named != all_actions().end() && named->user == ActionUser::visitor && action != KeyAction::quit;
 }
 
+SteeringInput forward_and_back(const SteeringInput& input) {
+  SteeringInput kept;
+  kept.rates.forward = input.rates.forward;
+  kept.amounts.forward = input.amounts.forward;
+  return kept;
+}
+
 bool is_moved(const PadState& pad) {
   return pad.buttons.any() || std::ranges::any_of(pad.axes, [](float axis) { return std::abs(axis) > deliberate; });
 }
@@ -26,7 +33,7 @@ bool is_moved(const PadState& pad) {
 
 void PlayerInputs::add(const std::vector<KeyAction>& actions, PlayerInput& input) const {
   for (const KeyAction action : actions) {
-    if (lock_ == InputLock::open || is_for_visitors(action)) {
+    if (lock_ == InputLock::open || (lock_ == InputLock::visitors && is_for_visitors(action))) {
       input.actions.push_back(action);
     }
   }
@@ -124,6 +131,9 @@ PlayerInput PlayerInputs::gather(std::span<const WindowEvent> events, const PadS
   std::set<int> steering_keys;
   std::ranges::set_difference(held_keys_, spent_keys_, std::inserter(steering_keys, steering_keys.end()));
   input.steering = controls_.steering(steering_keys, mouse, pad_before_);
+  if (lock_ == InputLock::guide) {
+    input.steering = forward_and_back(input.steering);
+  }
   return input;
 }
 

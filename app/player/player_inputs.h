@@ -11,8 +11,9 @@
 
 namespace ergodome {
 
-//! Which actions inputs may trigger: all, or only those for visitors of an exhibit.
-enum class InputLock { open, visitors };
+//! Which inputs have an effect: all; steering and the actions for visitors of an exhibit; or only
+//! steering forward and back. Does not concern the operator's commands by OSC and the status page.
+enum class InputLock { open, visitors, guide };
 
 //! Converts the events of windows and controllers to the input of a session.
 class PlayerInputs {

@@ -10,6 +10,7 @@
 #include "render/output/stereo_layout.h"
 #include "render/passes/overlay/caption_layer.h"
 #include "render/picture/picture.h"
+#include "render/present/headset/headset_input.h"
 #include "render/present/text_panel.h"
 #include "render/present/window.h"
 
@@ -147,6 +148,10 @@ class DisplayOutput : public Output {
 
   //! Returns the input events since the last call; waits some milliseconds for them.
   [[nodiscard]] virtual std::vector<WindowEvent> events() { return {}; }
+  //! Returns the controllers of a headset; nothing without one. Called once per frame.
+  [[nodiscard]] virtual std::optional<HeadsetHands> hands() { return std::nullopt; }
+  //! Lets the controllers of a headset vibrate. `strength`: 0 to 1.
+  virtual void pulse(double /*seconds*/, double /*strength*/) {}
   //! Returns the size of the area in which the mouse moves [px]; 0 x 0 if there is none.
   [[nodiscard]] virtual ImageSize size() const { return {0, 0}; }
   virtual void toggle_full_screen() {}
