@@ -91,9 +91,9 @@ constexpr Binding reverb_controller[] = {
     {Part::menu, Hands::both, "/input/menu/click"},    {Part::vibration, Hands::both, "/output/haptic"},
 };
 
+// Some runtimes take a pinch for a squeeze too, so that is not bound.
 constexpr Binding tracked_hand[] = {
     {Part::trigger, Hands::both, "/input/select/value"},
-    {Part::grip, Hands::both, "/input/squeeze/value"},
 };
 
 constexpr Profile profiles[] = {
