@@ -16,6 +16,12 @@ double usual_field_of_view_deg(ViewProjection projection) {
   }
 }
 
+bool shows_whole_sky(const ViewSettings& view) {
+  return view.projection == ViewProjection::cube ||
+         (view.projection == ViewProjection::equirect &&
+          view.field_of_view_deg >= usual_field_of_view_deg(ViewProjection::equirect));
+}
+
 std::vector<std::string> languages(const Show& show) {
   std::vector<std::string> tags = languages(show.timeline);
   if (tags.empty()) {

@@ -307,6 +307,9 @@ inline Spacetime spacetime_of(const Show& show) { return Spacetime{show.spin}; }
 //! Returns the default field of view of a projection [deg].
 double usual_field_of_view_deg(ViewProjection projection);
 
+//! Returns whether the picture shows every direction of the sky.
+bool shows_whole_sky(const ViewSettings& view);
+
 //! Returns the number of frames of the whole show; at least one.
 int frame_count(const Show& show);
 

@@ -35,6 +35,7 @@ ERGO_HD Projection plain_projection(ProjectionKind kind, int width_px, int heigh
           height_px,
           -1.0,
           {{LensLaw::equidistant, 1.0, 1.0, 1.0, {}}, 0.0, 1.0, {0.0, 0.0, 0.0}, 0, 0, -1.0, 1.0},
+          {3.14159265358979323846},
           {CubeLayout::face, CubeFace::front},
           {1.0, 0.0, 1.0},
           {1.0, 1.0, 0.0, 0.0}};
@@ -64,8 +65,12 @@ ERGO_HD Projection make_dome_projection(int size_px, double field_of_view, doubl
   return make_dome_projection(size_px, view);
 }
 
-ERGO_HD Projection make_equirectangular_projection(int width_px, int height_px) {
-  return detail::plain_projection(ProjectionKind::equirectangular, width_px, height_px);
+//! Makes a picture of all elevations and of the given full azimuth [rad], up to 2π.
+ERGO_HD Projection make_equirectangular_projection(int width_px, int height_px,
+                                                   double azimuth = 6.28318530717958647692) {
+  Projection p = detail::plain_projection(ProjectionKind::equirectangular, width_px, height_px);
+  p.equirectangular.half_azimuth = 0.5 * azimuth;
+  return p;
 }
 
 //! Makes a picture of all faces of a cube, each `face_px` wide.

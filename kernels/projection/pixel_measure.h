@@ -80,7 +80,7 @@ ERGO_HD double pixel_angle(const Projection& projection) {
       }
       return pixel_side(projection, 0.5 * width_px, 0.5 * projection.height_px);
     case ProjectionKind::equirectangular:
-      return 6.28318530717958647692 / width_px;
+      return 2.0 * projection.equirectangular.half_azimuth / width_px;
     case ProjectionKind::cube:
       return 2.0 * cube_columns(projection.cube.layout) / width_px;
     case ProjectionKind::cylinder:
@@ -99,6 +99,9 @@ ERGO_HD double largest_pixel_angle(const Projection& projection) {
   double largest = pixel_angle(projection);
   if (projection.kind == ProjectionKind::cylinder) {
     return maximum(largest, 2.0 * projection.cylinder.half_height / projection.height_px);
+  }
+  if (projection.kind == ProjectionKind::equirectangular && !wraps_around(projection)) {
+    return maximum(largest, 3.14159265358979323846 / projection.height_px);
   }
   if (projection.kind == ProjectionKind::pinhole) {
     return maximum(largest, 2.0 * projection.pinhole.half_height / projection.height_px);

@@ -22,6 +22,7 @@ struct ProjectionOf {
   int height_px;
   S left;  //!< x of the left side: -1, or 1 for a mirror image (as seen from outside)
   DomeFisheye<S> dome;
+  Equirectangular<S> equirectangular;
   CubePicture cube;
   Cylinder<S> cylinder;
   Pinhole<S> pinhole;
@@ -39,6 +40,7 @@ ERGO_HD ProjectionOf<S> converted_projection(const Projection& p) {
           p.height_px,
           static_cast<S>(p.left),
           converted_dome<S>(p.dome),
+          {static_cast<S>(p.equirectangular.half_azimuth)},
           p.cube,
           {static_cast<S>(p.cylinder.half_azimuth), static_cast<S>(p.cylinder.middle_height),
            static_cast<S>(p.cylinder.half_height)},
@@ -63,7 +65,7 @@ ERGO_HD_RARE Vector3<T> direction_from_position(const ProjectionOf<ScalarOf<T>>&
     case ProjectionKind::dome_fisheye:
       return direction_from_fisheye(projection.dome, x, y);
     case ProjectionKind::equirectangular:
-      return direction_from_equirectangular(x, y);
+      return direction_from_equirectangular(projection.equirectangular, x, y);
     case ProjectionKind::cube:
       return direction_from_cube(projection.cube, x, y);
     case ProjectionKind::cylinder:
@@ -104,7 +106,7 @@ ERGO_HD bool pixel_from_direction(const Projection& projection, const Vector3<do
       exists = fisheye_from_direction(projection.dome, view, x, y);
       break;
     case ProjectionKind::equirectangular:
-      equirectangular_from_direction(view, x, y);
+      equirectangular_from_direction(projection.equirectangular, view, x, y);
       break;
     case ProjectionKind::cube:
       exists = cube_from_direction(projection.cube, view, x, y);
@@ -144,8 +146,10 @@ ERGO_HD T image_coverage(const ProjectionOf<ScalarOf<T>>& projection, const T& x
 //! Returns whether the right side of the image is adjacent to the left side on the sky.
 template <class S>
 ERGO_HD bool wraps_around(const ProjectionOf<S>& projection) {
-  return projection.kind == ProjectionKind::equirectangular ||
-         (projection.kind == ProjectionKind::cylinder && projection.cylinder.half_azimuth > S(3.1415926));
+  constexpr S almost_half_turn = S(3.1415926);
+  return (projection.kind == ProjectionKind::equirectangular &&
+          projection.equirectangular.half_azimuth > almost_half_turn) ||
+         (projection.kind == ProjectionKind::cylinder && projection.cylinder.half_azimuth > almost_half_turn);
 }
 
 }  // namespace ERGO_TARGET

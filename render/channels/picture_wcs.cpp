@@ -64,9 +64,11 @@ PictureWcs dome_wcs(const Projection& projection) {
 }
 
 PictureWcs equirectangular_wcs(const Projection& projection) {
+  const double azimuth_deg =
+      wraps_around(projection) ? 360.0 : 2.0 * radian_deg * projection.equirectangular.half_azimuth;
   return {"CAR",
           {fits_pixel(0.0, projection.width_px), fits_pixel(0.0, projection.height_px)},
-          {to_the_right(projection) * 360.0 / projection.width_px, 180.0 / projection.height_px},
+          {to_the_right(projection) * azimuth_deg / projection.width_px, 180.0 / projection.height_px},
           {0.0, 0.0}};
 }
 

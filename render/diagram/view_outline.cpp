@@ -71,7 +71,8 @@ ViewOutline view_outline(const ViewSettings& view, const EyeCamera& eye) {
       const double angle = full_turn * i / parts;
       add(0.5 + 0.499 * std::cos(angle), 0.5 + 0.499 * std::sin(angle), i % parts_of_side == 0 && i < parts);
     }
-  } else if (projection.kind == ProjectionKind::pinhole || projection.kind == ProjectionKind::cylinder) {
+  } else if (projection.kind == ProjectionKind::pinhole || projection.kind == ProjectionKind::cylinder ||
+             (projection.kind == ProjectionKind::equirectangular && !wraps_around(projection))) {
     constexpr double corner[5][2] = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}, {0.0, 0.0}};
     for (int side = 0; side < 4; ++side) {
       for (int i = 0; i < parts_of_side; ++i) {

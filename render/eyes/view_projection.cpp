@@ -35,6 +35,14 @@ Projection dome_projection(const ViewSettings& view, int width_px, double field_
   return make_dome_projection(width_px, dome);
 }
 
+Projection equirect_projection(const ViewSettings& view, int width_px) {
+  if (shows_whole_sky(view)) {
+    return make_equirectangular_projection(width_px, std::max(width_px / 2, 1));
+  }
+  const double azimuth = one_degree * view.field_of_view_deg;
+  return make_equirectangular_projection(width_px, height_for(width_px, azimuth, pi), azimuth);
+}
+
 Projection cube_projection(CubeFiles files, int width_px) {
   switch (files) {
     case CubeFiles::cross:
@@ -64,7 +72,7 @@ Projection frustum_projection(const FrustumAngles& angles, int width_px) {
 Projection inside_projection(const ViewSettings& view, int width_px, double field_of_view) {
   switch (view.projection) {
     case ViewProjection::equirect:
-      return make_equirectangular_projection(width_px, std::max(width_px / 2, 1));
+      return equirect_projection(view, width_px);
     case ViewProjection::cube:
       return cube_projection(view.cube_files, width_px);
     case ViewProjection::cylinder:

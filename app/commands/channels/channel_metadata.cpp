@@ -62,6 +62,12 @@ void add_projection(const Show& show, const Projection& projection, std::vector<
     case ProjectionKind::cylinder:
       metadata.push_back({"fov_deg", "FOV", 2.0 * radian_deg * projection.cylinder.half_azimuth, "[deg] of azimuth"});
       break;
+    case ProjectionKind::equirectangular:
+      if (!wraps_around(projection)) {
+        metadata.push_back(
+            {"fov_deg", "FOV", 2.0 * radian_deg * projection.equirectangular.half_azimuth, "[deg] of azimuth"});
+      }
+      break;
     default:
       break;
   }

@@ -14,6 +14,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <iterator>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -171,6 +172,9 @@ void encode(const Movie& movie, const std::filesystem::path& partial) {
     throw Error(movie.file.string(), fmt::format("ffmpeg stopped (status {}): {}", status, last_line(message)),
                 "the frames are complete; try another format (.mp4, .mov, .mkv) or another encoder");
   }
+  if (movie.sphere) {
+    add_spherical_metadata(partial, movie.file.string(), movie_ending(movie.file), *movie.sphere);
+  }
 }
 
 //! Returns the last number of frames in ffmpeg's progress report ("frame=24"); -1 if there is none.
@@ -266,6 +270,9 @@ std::vector<std::string> movie_arguments(const Movie& movie, int width_px, int h
       add({"-c:v", "libx264", "-crf", "14", "-preset", "medium", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f",
            "mp4"});
     }
+  }
+  if (movie.sphere) {
+    std::ranges::copy(spherical_arguments(*movie.sphere, ending), std::back_inserter(words));
   }
   words.push_back(partial.string());
   return words;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/commands/movie/movie_sound.h"
+#include "app/commands/movie/spherical_metadata.h"
 
 namespace ergodome {
 
@@ -16,6 +18,8 @@ struct Movie {
   const MovieSound* sound = nullptr;            //!< sound of the same length as the film; nullptr: silent
   //! Both the frames and the film have an alpha channel.
   bool alpha = false;
+  //! How players for VR headsets show the film; absent for films that are flat or for domes.
+  std::optional<SphericalFilm> sphere;
 };
 
 //! Returns whether films with this ending (movie_ending) support an alpha channel.
@@ -38,8 +42,8 @@ void require_movie_encoder(const std::filesystem::path& file);
 std::vector<std::string> movie_arguments(const Movie& movie, int width_px, int height_px,
                                          const std::filesystem::path& partial);
 
-//! Encodes the frames, all of one size, with ffmpeg. Leaves either a complete film or none. Throws
-//! Error with ffmpeg's last message or the disk error.
+//! Encodes the frames, all of one size, with ffmpeg, and adds the metadata of `sphere`. Leaves
+//! either a complete film or none. Throws Error with ffmpeg's last message or the disk error.
 void write_movie(const Movie& movie);
 
 //! Decodes a film completely with ffmpeg. Throws Error if that fails or is interrupted, or if the

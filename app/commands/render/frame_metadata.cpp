@@ -40,9 +40,8 @@ void add_camera(const Show& show, double time_s, FrameMetadata& metadata) {
 }
 
 void add_angles(const ViewSettings& view, FrameMetadata& metadata) {
-  const bool whole_sky = view.projection == ViewProjection::equirect || view.projection == ViewProjection::cube;
   const bool off_axis = view.projection == ViewProjection::pinhole && view.frustum;
-  if (!whole_sky && !off_axis) {
+  if (!shows_whole_sky(view) && !off_axis) {
     metadata.emplace_back("fov_deg", number_text(view.field_of_view_deg));
   }
   if (view.projection == ViewProjection::dome) {

@@ -90,6 +90,7 @@ void FrameWriter::write_movies(int first, int last) const {
     movie.frame_rate_hz = show.frame_rate_hz;
     movie.sound = sound.get();
     movie.alpha = options_.alpha;
+    movie.sphere = spherical_film(show);
     for (int frame = first; frame <= last; ++frame) {
       movie.pictures.push_back(files_.path_of(frame, part, std::nullopt));
     }

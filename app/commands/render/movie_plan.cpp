@@ -44,6 +44,12 @@ void report_movie_losses(const RenderOptions& options, const Show& show) {
         "{} stores color at half resolution, which blurs one eye's image in this stereo mode; .mov and .mkv do not",
         options.movie));
   }
+  if (!options.movie.empty() && show.view.projection == ViewProjection::equirect && !spherical_film(show)) {
+    print_note_once(fmt::format(
+        "{} gets no metadata for VR headsets, which describe neither mirror images, nor the right eye first, nor rows "
+        "of both eyes",
+        options.movie));
+  }
 }
 
 std::filesystem::path movie_path(const std::filesystem::path& file, FramePart part) {

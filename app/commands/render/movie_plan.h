@@ -12,7 +12,8 @@ namespace ergodome {
 void require_movie(const RenderOptions& options, const Show& show);
 
 //! Prints a note if the film is an .mp4, whose halved color resolution blurs one eye, and the show
-//! separates the eyes by color.
+//! separates the eyes by color. Prints another one if the film is a panorama that gets no metadata
+//! for VR headsets.
 void report_movie_losses(const RenderOptions& options, const Show& show);
 
 //! Returns the path of the film of a part of the frames: `file` for whole frames, with _L or _R

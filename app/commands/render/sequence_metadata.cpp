@@ -78,7 +78,7 @@ void add_view(const Show& show, FrameSpan frames, int size_px, Metadata& metadat
     const FrustumAngles& frustum = *show.view.frustum;
     metadata["frustum_deg"] = {
         {"left", frustum.left_deg}, {"right", frustum.right_deg}, {"up", frustum.up_deg}, {"down", frustum.down_deg}};
-  } else if (show.view.projection != ViewProjection::equirect && show.view.projection != ViewProjection::cube) {
+  } else if (!shows_whole_sky(show.view)) {
     metadata["fov_deg"] = number_in(show, "view.fov_deg", show.view.field_of_view_deg, frames);
   }
   if (show.view.projection == ViewProjection::dome) {

@@ -105,10 +105,6 @@ constexpr auto write_viewer = [](toml::table& table, const ViewSettings& view) {
 template <ViewProjection Projection>
 constexpr auto only_in = [](const ViewSettings& view) { return view.projection == Projection; };
 
-bool shows_whole_sky(const ViewSettings& view) {
-  return view.projection == ViewProjection::equirect || view.projection == ViewProjection::cube;
-}
-
 constexpr auto usual_field = [](const TomlTable& /*table*/, ViewSettings& view) {
   view.field_of_view_deg = usual_field_of_view_deg(view.projection);
 };
@@ -121,10 +117,10 @@ constexpr auto field_limits = [](const ViewSettings& view) -> NumberLimits {
 };
 
 constexpr auto check_whole_sky = [](const TomlTable& table, const ViewSettings& view) {
-  if (shows_whole_sky(view) && view.field_of_view_deg != usual_field_of_view_deg(view.projection)) {
+  if (view.projection == ViewProjection::cube && view.field_of_view_deg != usual_field_of_view_deg(view.projection)) {
     throw table.error_at("fov_deg",
                          fmt::format("is {}, but this projection always shows the whole sky", view.field_of_view_deg),
-                         "remove it, or choose the projection dome, cylinder or pinhole");
+                         "remove it, or choose the projection dome, equirect, cylinder or pinhole");
   }
 };
 
@@ -195,7 +191,7 @@ constexpr auto keys_of_view = keys_of<ViewSettings>(
         .before(usual_field)
         .after(check_whole_sky)
         .unused_if(unused_field)
-        .page({.otherwise = "dome 180, cylinder 360, pinhole 60", .bounds = "see below"}),
+        .page({.otherwise = "dome 180, equirect and cylinder 360, pinhole 60", .bounds = "see below"}),
     key<&ViewSettings::tilt_deg>("tilt_deg", "Dome: tilt of the picture.")
         .range(-180.0, 180.0, "deg")
         .animated()

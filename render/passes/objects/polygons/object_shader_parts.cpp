@@ -230,7 +230,7 @@ vec4 clip_place(vec3 view, float depth) {
     float across = length(at.xy);
     clip.xy = across > 0.0 ? lens_radius(atan(across, at.z)) / across * vec2(at.x, -at.y) : vec2(0.0);
   } else if (kind == equirectangular) {
-    clip.xy = vec2(atan(view.x, -view.z) / pi, atan(view.y, length(view.xz)) / (0.5 * pi));
+    clip.xy = vec2(screen.x * (atan(view.x, -view.z) / pi), atan(view.y, length(view.xz)) / (0.5 * pi));
   } else if (kind == cylinder) {
     float level = max(length(view.xz), 1e-6);
     clip.xy = vec2(atan(view.x, -view.z) / screen.x, (view.y / level - screen.w) / screen.y);
@@ -241,7 +241,7 @@ vec4 clip_place(vec3 view, float depth) {
   clip.x *= mirror;
   return clip;
 }
-float horizontal_period() { return kind == equirectangular ? 2.0 : kind == cylinder ? 2.0 * pi / screen.x : 0.0; }
+float horizontal_period() { return kind == equirectangular ? 2.0 * screen.x : kind == cylinder ? 2.0 * pi / screen.x : 0.0; }
 bool wide(vec2 a, vec2 b) { return dot(a, b) < 0.5 * length(a) * length(b); }
 bool torn_by_projection(vec3 a, vec3 b, vec3 c) {
   if (kind == dome) {

@@ -21,9 +21,11 @@ enum ObjectUniform : int {
   //! Vec4: axis and stretch of the aberration from the rest frame at the eye (e_r, e_θ, e_φ) to the
   //! frame of the moving observer.
   uniform_boost = 6,
-  uniform_kind = 7,         //!< int: ProjectionKind
-  uniform_mirror = 8,       //!< float: -1 for a picture as seen from outside
-  uniform_screen = 9,       //!< vec4: half sizes and center of a flat screen or a cylinder
+  uniform_kind = 7,    //!< int: ProjectionKind
+  uniform_mirror = 8,  //!< float: -1 for a picture as seen from outside
+  //! Vec4: half sizes and center of a flat screen or a cylinder; x of an equirectangular picture: a
+  //! whole turn over its width.
+  uniform_screen = 9,
   uniform_law = 10,         //!< int: LensLaw
   uniform_lens = 11,        //!< vec4: sine and cosine of the dome's tilt, half angle and scale of the lens
   uniform_polynomial = 12,  //!< vec4: coefficients of the polynomial lens law

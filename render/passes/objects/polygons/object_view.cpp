@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "content/show/object_settings.h"
+#include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/spacetime/kerr/frame_boost.h"
 #include "render/passes/objects/polygons/object_shaders.h"
@@ -84,6 +85,8 @@ void set_projection(const Projection& projection) {
   const Cylinder<double>& cylinder = projection.cylinder;
   if (projection.kind == ProjectionKind::cylinder) {
     set_vec4(uniform_screen, cylinder.half_azimuth, cylinder.half_height, 0.0, cylinder.middle_height);
+  } else if (projection.kind == ProjectionKind::equirectangular) {
+    set_vec4(uniform_screen, pi / projection.equirectangular.half_azimuth, 0.0, 0.0, 0.0);
   } else {
     set_vec4(uniform_screen, pinhole.half_width, pinhole.half_height, pinhole.middle_x, pinhole.middle_y);
   }

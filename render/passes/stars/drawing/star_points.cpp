@@ -3,6 +3,7 @@
 #include <limits>
 #include <numeric>
 
+#include "kernels/core/angles.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/passes/stars/drawing/picture_regions.h"
@@ -15,6 +16,18 @@ namespace {
 
 //! Maximum number of points in a line: enough for a line across a whole 4k dome.
 constexpr int max_line_points = 8192;
+
+//! Returns the width of a whole turn of azimuth [px]; 0 if azimuth does not run along the rows.
+double turn_width_px(const Projection& projection) {
+  if (wraps_around(projection)) {
+    return projection.width_px;
+  }
+  const double half_azimuth = projection.kind == ProjectionKind::equirectangular
+                                  ? projection.equirectangular.half_azimuth
+                              : projection.kind == ProjectionKind::cylinder ? projection.cylinder.half_azimuth
+                                                                            : 0.0;
+  return half_azimuth > 0.0 ? projection.width_px * pi / half_azimuth : 0.0;
+}
 
 double row_of_point(const StarPoint& point) { return std::floor(point.y_px); }
 
@@ -35,13 +48,15 @@ class PointList {
   //! Adds light spread evenly along a line, as points at most half a pixel apart, but at most
   //! max_line_points. Adds nothing for lines entirely beyond one side of the region.
   void add_line(const double (&from)[2], const double (&to)[2], const Vector3<float>& illuminance, bool has_spikes) {
-    if (passes_by(from, to, has_spikes ? region_.spiked_reach_px : region_.reach_px)) {
-      return;
-    }
-    const Projection& projection = region_.projection;
     double way[2] = {to[0] - from[0], to[1] - from[1]};
-    if (wraps_around(projection)) {
-      way[0] -= projection.width_px * std::round(way[0] / projection.width_px);
+    double end[2] = {to[0], to[1]};
+    // Behind a viewer, azimuth jumps from one end of its range to the other.
+    if (const double turn_px = turn_width_px(region_.projection); turn_px > 0.0) {
+      way[0] -= turn_px * std::round(way[0] / turn_px);
+      end[0] = from[0] + way[0];
+    }
+    if (passes_by(from, end, has_spikes ? region_.spiked_reach_px : region_.reach_px)) {
+      return;
     }
     const int count = std::clamp(static_cast<int>(std::ceil(2.0 * std::hypot(way[0], way[1]))), 1, max_line_points);
     for (int i = 0; i < count; ++i) {
