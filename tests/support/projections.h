@@ -62,6 +62,7 @@ inline std::vector<NamedProjection> every_projection() {
           {"Truncated", make_dome_projection(1000, cut)},
           {"FromOutside", seen_from_outside(lens_of(LensLaw::equidistant, 200.0))},
           {"Equirectangular", make_equirectangular_projection(1000, 500)},
+          {"EquirectangularPart", make_equirectangular_projection(600, 500, 1.2 * pi)},
           {"CubeCross", make_cube_projection(250, CubeLayout::cross)},
           {"CubeStrip", make_cube_projection(160, CubeLayout::strip)},
           {"CubeFace", make_cube_face_projection(500, CubeFace::back)},

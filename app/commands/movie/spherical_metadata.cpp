@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
+#include <limits>
+#include <string_view>
 
 #include "app/commands/movie/film_file.h"
 #include "app/commands/movie/matroska_video.h"
@@ -18,14 +19,13 @@ constexpr double whole_turn_deg = 360.0;
 //! Version and flags of a box.
 constexpr std::string_view no_flags("\0\0\0\0", 4);
 
-//! Returns the parts of a whole sphere that the picture lacks at the top, bottom, left and right,
-//! as numbers of 32 bits after the binary point. MP4 and Matroska both store them after four bytes
-//! of version and flags.
+//! Returns the parts of a whole sphere that the picture lacks at the top, bottom, left and right.
+//! MP4 and Matroska both store them after four bytes of version and flags. Readers divide the
+//! numbers by 2^32 - 1.
 std::string equirectangular_bounds(const SphericalFilm& sphere) {
-  // Two opposite bounds must add up to less than 1.
-  constexpr std::int64_t largest = 0x7FFFFFFF;
+  constexpr double one = std::numeric_limits<std::uint32_t>::max();
   const double missing = 0.5 * (1.0 - std::clamp(sphere.azimuth_deg / whole_turn_deg, 0.0, 1.0));
-  const auto bound = static_cast<std::uint64_t>(std::min<std::int64_t>(std::llround(std::ldexp(missing, 32)), largest));
+  const auto bound = static_cast<std::uint64_t>(missing * one);
   std::string bounds(no_flags);
   for (const std::uint64_t each : {std::uint64_t{0}, std::uint64_t{0}, bound, bound}) {
     append_big_endian(bounds, each, 4);

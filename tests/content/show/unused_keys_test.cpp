@@ -80,6 +80,8 @@ TEST(UnusedKeys, AreTheFieldOfViewOfADomeThatIsShownAsASphere) {
   Show show = parse_show("[view]\nfov_deg = 90\n[camera]\n[[camera.key]]\nr = 30\n", "film.toml");
   EXPECT_THAT(unused_keys(show), IsEmpty());
   show.view.projection = ViewProjection::equirect;
+  EXPECT_THAT(unused_keys(show), IsEmpty()) << "a part of the sphere";
+  show.view.field_of_view_deg = 360.0;
   EXPECT_THAT(unused_keys(show), ElementsAre(unused(2, "view.fov_deg", "the whole sphere")));
 }
 

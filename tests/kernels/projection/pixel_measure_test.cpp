@@ -73,6 +73,10 @@ TEST(PixelSolidAngle, OfWholeSkiesAddsUpToTheSphere) {
   expect_solid_angle(make_cube_face_projection(200, CubeFace::bottom), 4.0 * pi / 6.0);
 }
 
+TEST(PixelSolidAngle, OfHalfASkyAddsUpToHalfTheSphere) {
+  expect_solid_angle(make_equirectangular_projection(500, 500, pi), 2.0 * pi);
+}
+
 TEST(PixelSolidAngle, OfACylinderAddsUpToItsZone) {
   // The cylinder shows elevations from -45° to 45°.
   expect_solid_angle(make_cylinder_projection(1000, 318, 2.0 * pi, -1.0, 1.0), 4.0 * pi * std::sqrt(0.5));
@@ -102,8 +106,9 @@ TEST(PixelSolidAngle, OfATruncatedDomeIsThatOfTheRest) {
 }
 
 TEST(SkyShare, IsTheSolidAngleThatAnImageShows) {
-  for (const Projection& p : {make_dome_projection(128, pi, 0.4), make_pinhole_projection(128, 72, 1.0),
-                              make_pinhole_projection(64, 64, 0.2), make_equirectangular_projection(128, 64)}) {
+  for (const Projection& p :
+       {make_dome_projection(128, pi, 0.4), make_pinhole_projection(128, 72, 1.0), make_pinhole_projection(64, 64, 0.2),
+        make_equirectangular_projection(128, 64), make_equirectangular_projection(64, 64, pi)}) {
     EXPECT_NEAR(sky_share(p), solid_angle_of(p) / (4.0 * pi), 2e-3) << static_cast<int>(p.kind);
   }
 }
@@ -116,6 +121,7 @@ TEST(PixelAngle, IsThatOfTheMiddle) {
   EXPECT_NEAR(pixel_angle(make_dome_projection(1000, test::measured_lens())), 2.0 / 0.67 / 1000, 1e-12);
   EXPECT_NEAR(pixel_angle(make_cube_projection(100, CubeLayout::cross)), 2.0 / 100, 1e-15);
   EXPECT_NEAR(pixel_angle(make_cylinder_projection(1000, 300, 3.0, -1.0, 1.0)), 3.0 / 1000, 1e-15);
+  EXPECT_NEAR(pixel_angle(make_equirectangular_projection(1000, 1000, pi)), pi / 1000, 1e-15);
 }
 
 TEST(PixelAngle, GrowsForAViewerWhoIsNearer) {

@@ -55,6 +55,18 @@ TEST(Equirectangular, MiddleIsForwardAndTheEdgesAreBehind) {
   expect_direction(left, right.x, right.y, right.z);
 }
 
+TEST(Equirectangular, HalfASkyEndsAtTheViewersSides) {
+  const Projection p = make_equirectangular_projection(1000, 1000, pi);
+  expect_direction(direction_from_pixel(p, 500.0, 500.0), 0.0, 0.0, -1.0);
+  expect_direction(direction_from_pixel(p, 1000.0, 500.0), 1.0, 0.0, 0.0);
+  expect_direction(direction_from_pixel(p, 0.0, 500.0), -1.0, 0.0, 0.0);
+  expect_direction(direction_from_pixel(p, 250.0, 0.0), 0.0, 1.0, 0.0);
+  double x = 0.0;
+  double y = 0.0;
+  EXPECT_TRUE(pixel_from_direction(p, {0.1, 0.0, 1.0}, x, y));
+  EXPECT_GT(x, 1000.0) << "behind the viewer, to the right";
+}
+
 TEST(Pinhole, EdgeOfTheImageIsAtHalfTheFieldOfView) {
   const Projection p = make_pinhole_projection(200, 100, pi / 2);
   expect_direction(direction_from_pixel(p, 200.0, 50.0), std::sqrt(0.5), 0.0, -std::sqrt(0.5));
@@ -102,6 +114,7 @@ TEST(Cylinder, WrapsAroundWhenItIsWhole) {
   EXPECT_TRUE(wraps_around(make_cylinder_projection(400, 300, 2.0 * pi, -1.0, 1.0)));
   EXPECT_FALSE(wraps_around(make_cylinder_projection(400, 300, 1.9 * pi, -1.0, 1.0)));
   EXPECT_TRUE(wraps_around(make_equirectangular_projection(400, 200)));
+  EXPECT_FALSE(wraps_around(make_equirectangular_projection(400, 210, 1.9 * pi)));
   EXPECT_FALSE(wraps_around(dome()));
 }
 

@@ -140,6 +140,7 @@ TEST(PictureWcs, SaysWhereThePixelsOfDomesLook) {
 
 TEST(PictureWcs, SaysWhereThePixelsOfSpheresAndCylindersLook) {
   expect_directions(make_equirectangular_projection(64, 32), "CAR");
+  expect_directions(make_equirectangular_projection(40, 32, 1.25 * pi), "CAR");
   expect_directions(seen_from_outside(make_equirectangular_projection(64, 32)), "CAR");
   expect_directions(make_cylinder_projection(64, 30, 1.5 * pi, -0.3, 0.8), "CYP");
 }

@@ -35,6 +35,19 @@ TEST(ViewProjection, OfACylinderHasSquarePixelsOnTheHorizon) {
   EXPECT_NEAR(std::sqrt(dot(steps.down, steps.down) / dot(steps.across, steps.across)), 1.0, 2e-3);
 }
 
+TEST(ViewProjection, OfAPartOfASphereHasSquarePixelsOnTheHorizon) {
+  ViewSettings view;
+  view.projection = ViewProjection::equirect;
+  view.field_of_view_deg = 180.0;
+  EXPECT_EQ(make_projection(view, 512, 0.0).height_px, 512);
+  view.field_of_view_deg = 120.0;
+  EXPECT_EQ(make_projection(view, 512, 90.0).height_px, 768) << "the zoom of a player does not change a panorama";
+  view.field_of_view_deg = 360.0;
+  const Projection whole = make_projection(view, 512, 0.0);
+  EXPECT_EQ(whole.height_px, 256);
+  EXPECT_TRUE(wraps_around(whole));
+}
+
 TEST(ViewProjection, OfASliverIsNoHigherThanPicturesMayBe) {
   ViewSettings view;
   view.projection = ViewProjection::cylinder;

@@ -138,7 +138,7 @@ class SphericalMetadata : public FolderTest {
 
 TEST_F(SphericalMetadata, NameTheEyesAndTheBoundsOfThePicture) {
   for (const auto& [eyes, mode] : {std::pair{Eyes::one, 0}, {Eyes::top_bottom, 1}, {Eyes::left_right, 2}}) {
-    for (const auto& [azimuth_deg, bound] : {std::pair{360.0, 0x0ULL}, {180.0, 0x40000000ULL}, {90.0, 0x60000000ULL}}) {
+    for (const auto& [azimuth_deg, bound] : {std::pair{360.0, 0x0ULL}, {180.0, 0x3fffffffULL}, {90.0, 0x5fffffffULL}}) {
       const std::string film = changed(SmallFilm{}.bytes(), {eyes, azimuth_deg});
       EXPECT_EQ(content_of(film, entry_path + "/st3d", video_track), flags + static_cast<char>(mode));
       const std::string projection = entry_path + "/sv3d/proj";
@@ -248,7 +248,7 @@ TEST_F(SphericalMetadata, OfMatroskaReplaceTheTitleThatReservesTheirBytes) {
   // The settings of video (E0) end with Projection (7670): type 1 (7671) and the content of the box
   // equi (7672).
   const std::string projection = number(0x767071, 3).substr(0, 2) + std::string("\x9b\x76\x71\x81\x01\x76\x72\x94") +
-                                 flags + number(0, 4) + number(0, 4) + number(0x40000000, 4) + number(0x40000000, 4);
+                                 flags + number(0, 4) + number(0, 4) + number(0x3fffffff, 4) + number(0x3fffffff, 4);
   const std::string settings = element(0xB0, 1, "\x40") + element(0xBA, 1, "\x20") + projection;
   EXPECT_NE(after.find(std::string("\xe0") + static_cast<char>(0x80U | settings.size()) + settings +
                        element(0x86, 1, "V_FFV1") + "\xec"),

@@ -74,12 +74,18 @@ TEST(View, OfAFrustumReadsBackAsItIsWritten) {
 std::string view_problem(const std::string& lines) { return view_problem_of(view_start + "[view]\n" + lines); }
 
 TEST(View, RefusesAFieldWhereItShowsTheWholeSky) {
-  for (const char* const projection : {"equirect", "cube"}) {
-    const std::string view = std::string("projection = \"") + projection + "\"\n";
-    EXPECT_THAT(view_problem(view + "fov_deg = 90\n"),
-                AllOf(HasSubstr("show.toml:"), HasSubstr("view.fov_deg"), HasSubstr("the whole sky")));
-    EXPECT_EQ(view_problem(view + "fov_deg = 360\n"), "");
-  }
+  const std::string view = "projection = \"cube\"\n";
+  EXPECT_THAT(view_problem(view + "fov_deg = 90\n"),
+              AllOf(HasSubstr("show.toml:"), HasSubstr("view.fov_deg"), HasSubstr("the whole sky")));
+  EXPECT_EQ(view_problem(view + "fov_deg = 360\n"), "");
+}
+
+TEST(View, OfHalfASkyReadsBackAsItIsWritten) {
+  const Show show = viewed("projection = \"equirect\"\nfov_deg = 180\n");
+  EXPECT_FALSE(shows_whole_sky(show.view));
+  EXPECT_EQ(parse_show(to_toml(show), "show.toml").view.field_of_view_deg, 180.0);
+  EXPECT_TRUE(shows_whole_sky(viewed("projection = \"equirect\"\n").view));
+  EXPECT_THAT(view_problem("projection = \"equirect\"\nfov_deg = 361\n"), HasSubstr("view.fov_deg"));
 }
 
 TEST(View, RefusesFieldsThatALensCannotSee) {

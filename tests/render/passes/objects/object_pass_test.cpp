@@ -56,6 +56,7 @@ TEST_F(ObjectPasses, EveryProjectionHasASphereWhereItHasItsDirection) {
       {"orthographic", fisheye(LensLaw::orthographic, 180.0, 60.0)},
       {"polynomial, off the middle", make_dome_projection(512, polynomial)},
       {"equirectangular", make_equirectangular_projection(512, 256)},
+      {"half a sphere", make_equirectangular_projection(512, 512, pi)},
       {"cube", make_cube_projection(128, CubeLayout::cross)},
       {"cylinder", make_cylinder_projection(512, 256, 200.0 * one_degree, -1.0, 1.0)},
       {"from outside", seen_from_outside(fisheye(LensLaw::equidistant, 180.0, 10.0))}};

@@ -141,6 +141,8 @@ TEST(StarTrails, CrossThePictureSeamTheShortWay) {
   const Shutter shutter = {{eye, eye, eye}};
   const auto points = trail_points(trails, shutter, projection, {0.0, 1.0F});
   EXPECT_NEAR(static_cast<double>(points.size()), 2.0 * 0.2 / (2.0 * pi) * 512, 3.0);
+  const auto behind = trail_points(trails, shutter, make_equirectangular_projection(256, 256, pi), {0.0, 1.0F});
+  EXPECT_TRUE(behind.empty()) << "it does not cross a picture of what is in front";
 }
 
 }  // namespace
