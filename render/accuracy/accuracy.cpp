@@ -66,8 +66,8 @@ bool has_footprints(const Show& show) { return lens_channels(ViewMode::sky, shad
 
 bool has_near_things(const Show& show) { return show.disk || !show.shells.empty() || !show.objects.empty(); }
 
-//! Returns whether the axis `name` applies to a show. If `quick`, shows that draw slowly have
-//! neither `near` nor `frame`.
+//! Returns whether the axis `name` applies to a show. If `quick`, the axes `near` and `frame` do
+//! not apply to shows that draw slowly (draws_slowly()).
 bool has_axis(const std::string& name, const Show& show, bool quick) {
   if (name == "lens") {
     return has_footprints(show);

@@ -9,7 +9,7 @@
 namespace ergodome {
 
 //! Names of all axes, in the order of reports. An axis is a choice that a show leaves open, for
-//! example the lens grid; it compares the options (AccuracyAxis).
+//! example the lens grid; an AccuracyAxis compares the options of one choice.
 inline constexpr std::array accuracy_axis_names = {"rays", "lens",  "stations", "stereo",
                                                    "map",  "stars", "near",     "frame"};
 

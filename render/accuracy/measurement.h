@@ -66,7 +66,7 @@ const char* unit_name(ErrorUnit unit);
 //! option.
 struct AccuracyAxis {
   std::string name;   //!< for example "lens"
-  std::string title;  //!< a sentence
+  std::string title;  //!< title of the axis, a sentence
   ErrorUnit unit = ErrorUnit::pixels;
   std::string reference;  //!< a sentence that describes the reference of the errors
   //! The method whose time is the base of the comparison at equal error; empty: the cheapest
@@ -129,8 +129,9 @@ struct EqualErrorRow {
   std::string method;
   //! The method's cheapest measurement within the error limit; nullptr if none is within it.
   const Measurement* choice = nullptr;
-  //! Ratio of its time to that of the base method, formed in each round: median and extremes. Empty
-  //! if the method or the base method has no measurement within the error limit.
+  //! Ratio of the time of `choice` to that of the base method's cheapest measurement, formed in
+  //! each round: median and extremes. Empty if the method or the base method has no measurement
+  //! within the error limit.
   Spread ratio;
 };
 

@@ -15,7 +15,7 @@ namespace ergodome {
 //! Extent of a measurement.
 struct AccuracySettings {
   int size_px = 0;    //!< width of the pictures; 0: the show's, but at most `max_px`
-  int max_px = 1024;  //!< see size_px
+  int max_px = 1024;  //!< maximum width if `size_px` is 0
   int moments = 3;    //!< number of instants of the show to measure; one if nothing moves
   int rounds = 5;     //!< timed runs of each method; methods take turns
   int lattice = 200;  //!< number of columns of the lattice; one pixel of each cell is compared

@@ -147,7 +147,7 @@ class DeviceWorkInOrder {
 };
 
 //! While it exists, GPU work of the calling thread goes into a separate CUDA stream of the highest
-//! priority: it is preferred to that of other threads and does not wait for it.
+//! priority: this work is preferred to that of other threads and does not wait for theirs.
 class UrgentDeviceWork {
  public:
   explicit UrgentDeviceWork(Backend backend) : urgent_(backend == Backend::cuda) {

@@ -15,7 +15,7 @@ void keep_freed_memory();
 //! (return_large_block()), or new memory, with huge pages if available. Throws std::bad_alloc.
 void* take_large_block(std::size_t bytes);
 
-//! Keeps memory from take_large_block() for a later request of the same size in 2 MiB pages. If
+//! Keeps memory from take_large_block() for a later request of the same number of 2 MiB pages. If
 //! more than four blocks or 1.5 GiB are then kept, frees those that were returned first.
 void return_large_block(void* memory, std::size_t bytes) noexcept;
 

@@ -101,7 +101,8 @@ class Baker {
   }
 
   //! Returns the LensChart::range of all stations: the maximum of chart_range() at 65 show times.
-  //! It is the same for all, because a station's derivatives are computed for a fixed range.
+  //! All stations have the same range, because a station's derivatives are computed for a fixed
+  //! range.
   [[nodiscard]] double common_range() const {
     constexpr int samples = 64;
     double range = 0.0;

@@ -125,7 +125,8 @@ class EdgeDivider {
   int order_;
   double tolerance_;
   ApparentMesh& mesh_;
-  //! Vertex in the middle of each edge, or whole_edge.
+  //! Index of the vertex in the middle of each edge, by edge_key(); whole_edge if the edge is not
+  //! divided.
   std::unordered_map<std::uint64_t, std::uint32_t> middles_;
 };
 

@@ -175,7 +175,7 @@ void DiagramDrawing::draw_tile(const Uploaded& uploaded, const OutsideCamera& ca
   glDepthFunc(GL_LEQUAL);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
-  // From the whole picture's clip space to the tile's.
+  // Scale and shift from the clip space of the whole picture to that of the tile.
   const double scale_x = static_cast<double>(tile.whole_width) / tile.width;
   const double scale_y = static_cast<double>(tile.whole_height) / tile.height;
   const double shift_x = (tile.whole_width - 2.0 * tile.left - tile.width) / tile.width;

@@ -27,8 +27,8 @@ class DiagramPicture {
   DiagramPicture(const DiagramPicture&) = delete;
   DiagramPicture& operator=(const DiagramPicture&) = delete;
 
-  //! Returns a camera that shows all positions in the part of the picture above the legend, which
-  //! counts as at most 60 % of the height.
+  //! Returns a camera that shows all positions in the part of the picture above the legend. The
+  //! legend counts as at most 60 % of the height.
   [[nodiscard]] OutsideCamera camera_for(const OutsideDirection& direction,
                                          const std::vector<Vector3<double>>& positions, std::size_t legend_lines) const;
 

@@ -46,7 +46,7 @@ OutsideCamera outside_camera(const OutsideDirection& direction, const std::vecto
   const double tangent_down = camera.half_height * (1.0 - 2.0 * band.low - picture_margin);
   FrustumBounds bounds;
   for (const Vector3<double>& p : positions) {
-    const Vector3<double> at = camera.in_view(p);  // relative to the origin for now
+    const Vector3<double> at = camera.in_view(p);  // relative to the origin, because the position is not set yet
     bounds.right = std::max(bounds.right, at.x + tangent * at.z);
     bounds.left = std::max(bounds.left, -at.x + tangent * at.z);
     bounds.up = std::max(bounds.up, at.y + tangent_up * at.z);

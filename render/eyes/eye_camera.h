@@ -30,8 +30,8 @@ struct EyeCamera {
 //! near the inner horizon, if the observer would be faster than light, and for NaN.
 EyeCamera eye_camera(const Show& show, const CameraPose& pose, const Vector3<double>& offset);
 
-//! Returns an eye as above; `to_the_right` is its distance from the head along the view's x axis
-//! [M], and 0 is the head itself.
+//! Returns an eye of the show's camera at a pose, at the distance `to_the_right` [M] from the head
+//! along the view's x axis; 0 is the head itself. Throws Error like the overload above.
 inline EyeCamera eye_camera(const Show& show, const CameraPose& pose, double to_the_right) {
   return eye_camera(show, pose, {to_the_right, 0.0, 0.0});
 }

@@ -218,7 +218,7 @@ double omni_edge_angle(const OmniCameraOf<double>& camera, const ShadowChart& ch
   }
   for (int round = 0; round < 100 && bright - dark > 1e-9; ++round) {
     const double secant = dark + (bright - dark) * dark_value / (dark_value - bright_value);
-    // Step slightly beyond the root, so that both ends approach it.
+    // The step goes slightly beyond the root, so that both ends of the interval approach the root.
     const double hair = 1e-10 + 1e-3 * (bright - dark);
     const double tried = round % 3 == 2 ? 0.5 * (dark + bright) : secant + (round % 3 == 0 ? hair : -hair);
     const double angle = std::clamp(tried, dark + 1e-11, bright - 1e-11);
@@ -233,8 +233,9 @@ double omni_edge_angle(const OmniCameraOf<double>& camera, const ShadowChart& ch
 
 std::vector<float> solve_omni_edge(const OmniCameraOf<double>& camera, const ShadowChart& chart, int count) {
   std::vector<float> polar_angle(static_cast<std::size_t>(count));
-  // Solves the first one on the calling thread, where an Error reaches the caller. Other threads
-  // only record that there was an Error; the first failed angle is solved again below, to throw it.
+  // Solves for the first angle on the calling thread, where an Error reaches the caller. Other
+  // threads only record that there was an Error; the first failed angle is solved again below, to
+  // throw it.
   polar_angle[0] = static_cast<float>(omni_edge_angle(camera, chart, 0.0));
   std::vector<char> failed(static_cast<std::size_t>(count), 0);
   parallel_for(count, 64, [&](int begin, int end) {

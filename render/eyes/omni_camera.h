@@ -45,9 +45,9 @@ class OmniCamera {
   //! Returns the cameras as kernels read them; `side` is -1 for the left eye, 1 for the right one.
   //! The result points into this object.
   [[nodiscard]] OmniCameraOf<float> view(double side) const;
-  //! Returns the same cameras in host memory, whatever the backend.
+  //! Returns the cameras of view() in host memory, whatever the backend.
   [[nodiscard]] OmniCameraOf<float> on_host(double side) const;
-  //! Returns the same cameras in host memory, in double precision.
+  //! Returns the cameras of view() in host memory and in double precision.
   [[nodiscard]] OmniCameraOf<double> exact(double side) const;
 
   //! Returns the coefficients of the omni_numbers polynomials that exact() uses.

@@ -13,8 +13,8 @@ inline bool has_face_files(const ViewSettings& view) {
 }
 
 //! Returns the projection of a show's view at a width [px]. `field_of_view_deg`, unless it is 0,
-//! replaces the field of view of domes and of pinholes without `frustum`. That of a dome is limited
-//! to what its lens can show.
+//! replaces the field of view of domes and of pinholes without `frustum`. The field of view of a
+//! dome is limited to what its lens can show.
 //!
 //! Pixels are square; the height of screens, cylinders and cubes follows from the width. A cube
 //! with a file per face is rendered as a strip, from which cube_face_pictures cuts the faces; each

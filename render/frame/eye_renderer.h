@@ -60,8 +60,8 @@ class EyeRenderer {
   //! effect.
   static void finish(Picture& picture, const EyePicture& wanted);
 
-  //! Renders a picture in one piece. It stays in the backend's memory until the next picture, and
-  //! passes may draw on it.
+  //! Renders a picture in one piece. The picture stays in the backend's memory until the next
+  //! picture, and passes may draw on it.
   BackendPicture render_in_place(const EyeCamera& eye, const Projection& projection, const SkyCube& sky,
                                  const PictureSettings& settings);
 

@@ -21,8 +21,8 @@ namespace ergodome {
 
 //! Accuracy of a lens: maximum displacement on the screen.
 struct LensAccuracy {
-  double budget_px = 0.25;     //!< for lenses that are interpolated in a grid
-  double tolerance_px = 0.05;  //!< for lenses that are traced
+  double budget_px = 0.25;     //!< maximum error of lenses that are interpolated in a grid
+  double tolerance_px = 0.05;  //!< maximum error of lenses that are traced
 };
 
 //! Show time of a frame, for lenses that may be streamed from baked stations.

@@ -27,7 +27,8 @@ struct ShaderSource {
 //! rejects them, with its message if a shader does not compile.
 unsigned linked_program(const std::vector<ShaderSource>& shaders);
 
-//! Does the same with a vertex shader and a fragment shader.
+//! Compiles and links a program of a vertex shader and a fragment shader in the current context.
+//! Throws Error like the overload above.
 unsigned linked_program(const std::string& vertex_source, const std::string& fragment_source);
 
 //! Sets the uniforms for the tone in the current program, which must contain tone_source.

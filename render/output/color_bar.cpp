@@ -72,7 +72,8 @@ class BarRow {
   BarRow(int from, int to, int letter_px) : from_(from), to_(to), letter_px_(letter_px) {}
 
   //! Adds a text centered at `middle`, but moved so that it is within the range. Returns false if
-  //! it overlaps an earlier text or is too wide for the range; it is added all the same.
+  //! it overlaps an earlier text or is too wide for the range; in these cases, too, the text is
+  //! added.
   bool add(const std::string& text, int middle, int top_y) {
     const int width = image_library().text_box(text, letter_px_).width;
     const int left = std::clamp(middle - width / 2, from_, std::max(from_, to_ - width));
@@ -125,7 +126,7 @@ std::vector<BarText> bar_numbers(const ColorBarLayout& bar, const HeatRange& ran
 bool has_color_bar(int width_px, int height_px) { return width_px >= 160 && height_px >= 100; }
 
 double color_bar_part(int width_px, int height_px) {
-  // Numbers, bar and title are five and a half letters high.
+  // Numbers, bar and title together are five and a half letters high; half a letter is margin.
   return has_color_bar(width_px, height_px) ? 6.0 * color_bar_letter_px(height_px) / height_px : 0.0;
 }
 

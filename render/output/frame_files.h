@@ -23,18 +23,20 @@ enum class ExrCompression { zip, none, dwaa };
 //! Format of picture files.
 struct FrameFormat {
   ImageFormat image = ImageFormat::png;
-  ExrCompression compression = ExrCompression::zip;  //!< EXR only
+  ExrCompression compression = ExrCompression::zip;  //!< compression of EXR files; unused for other formats
   //! Adds a fourth channel: the coverage of each pixel.
   bool alpha = false;
   std::optional<FrameRate> rate{};  //!< frame rate to store in EXR files
 };
 
-//! Return the names of ImageFormat and ExrCompression values, in their order.
+//! image_format_names() returns the names of ImageFormat, exr_compression_names() those of
+//! ExrCompression, in the order of the enumerators.
 const std::vector<std::string>& image_format_names();
 const std::vector<std::string>& exr_compression_names();
 
-//! Returns the format with these names, which must be in the two lists above; an empty compression
-//! means zip. Throws Error if a compression is given for a format other than EXR.
+//! Returns the format with these names, which must be in image_format_names() and
+//! exr_compression_names(); an empty compression means zip. Throws Error if a compression is given
+//! for a format other than EXR.
 FrameFormat frame_format(const std::string& image, const std::string& compression, bool alpha);
 
 //! Returns the file name extension of a format, without the dot.

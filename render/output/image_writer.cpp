@@ -88,7 +88,7 @@ ImagePlan make_plan(const FrameFormat& format, const Picture& picture, const Fra
   }
   if (format.image == ImageFormat::tiff) {
     plan.texts.emplace_back("compression", "zip");
-    // TIFF has no custom metadata; it is stored in the description.
+    // TIFF has no custom metadata, so all metadata are stored in its description.
     std::string description;
     for (const auto& [name, value] : metadata) {
       description.append(name).append("=").append(value).append("\n");

@@ -74,8 +74,8 @@ Picture joined_eyes(const Picture& left, const Picture& right, StereoLayout layo
 //! Copies a picture that both eyes see, for the second eye.
 Picture copied_picture(const Picture& picture);
 
-//! Tint the left eye's picture red and the right eye's cyan, so that viewers see which eye gets
-//! which.
+//! tint_left_eye() tints the left eye's picture red, tint_right_eye() the right eye's picture cyan,
+//! so that viewers see which eye gets which.
 void tint_left_eye(Picture& picture);
 void tint_right_eye(Picture& picture);
 

@@ -85,7 +85,7 @@ void LightMeter::add(const Picture& picture) {
   for (std::size_t i = 0; i + 3 < picture.rgba.size(); i += 4) {
     const float* pixel = picture.rgba.data() + i;
     const float luminance = 0.2126F * pixel[0] + 0.7152F * pixel[1] + 0.0722F * pixel[2];
-    // Ignore the shadow and pixels outside the image.
+    // Ignores the shadow and pixels outside the image.
     if (pixel[3] > 0.5F && std::isfinite(luminance)) {
       sum_ += static_cast<double>(std::log2(std::max(luminance, darkest)));
       count_ += 1.0;

@@ -38,13 +38,13 @@ class PassDrawing {
 struct FinishedEye {
   float* rgba;             //!< light and coverage, in the memory of FinishedFrame::backend
   double offset;           //!< distance of the eye to the right of the head [M]
-  const Picture* picture;  //!< the same in host memory; nullptr if it stays in the backend's
+  const Picture* picture;  //!< the picture in host memory; nullptr if it is only in the backend's memory
 };
 
 //! The finished pictures of a frame's eyes.
 struct FinishedFrame {
   Backend backend;
-  const Show& show;  //!< with its numbers at this time
+  const Show& show;  //!< the show with its numbers at the time of the frame
   ViewMode mode;
   const CameraPose& pose;
   const Projection& projection;
@@ -90,8 +90,8 @@ class Pass {
     return true;
   }
 
-  //! Takes what a pass made for another show has read, to draw that show with the state of this
-  //! pass. Returns false to be replaced by the other pass.
+  //! Takes over what `next`, a pass made for another show, has read, so that this pass can draw
+  //! that show and keep its own state. Returns false if `next` must replace this pass instead.
   virtual bool take(Pass& next) {
     static_cast<void>(next);
     return false;

@@ -11,9 +11,10 @@
 namespace ergodome {
 
 //! The projection for which a pattern is drawn, and the rotation with which projectors show the
-//! picture. They may turn it around the dome's axis; on a tilted dome, horizontal lines of the dome
-//! are then not horizontal in the picture. Patterns use the position on the dome at which a pixel
-//! is shown, and count azimuths from the point where the front of the picture is shown.
+//! picture. Projectors may turn the picture around the dome's axis; on a tilted dome, horizontal
+//! lines of the dome are then not horizontal in the picture. Patterns use the position on the dome
+//! at which a pixel is shown, and count azimuths from the point where the front of the picture is
+//! shown.
 struct PatternView : Projection {
   //! `turn`: angle by which the shown picture is rotated to the right [rad].
   PatternView(const Projection& projection, double turn = 0.0);

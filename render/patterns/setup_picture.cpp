@@ -118,7 +118,7 @@ std::vector<double> lit_parts(const std::vector<ProjectorPicture>& pictures) {
   constexpr int size_px = 256;
   const Projection projection = make_dome_projection(size_px, pi, 0.0);
   const std::vector<WarpMesh> rasters = rasters_of(pictures, size_px);
-  // Weigh pixels by their solid angle on the dome.
+  // Weights pixels by their solid angle on the dome.
   std::vector<double> lit(pictures.size() + 1, 0.0);
   double all = 0.0;
   for (int row = 0; row < size_px; ++row) {

@@ -44,8 +44,8 @@ struct PassKind {
   void (*plan)(PlanWriter& plan);
 
   //! Makes the pass, or returns nullptr if the show has nothing for it at any time. Throws Error if
-  //! something cannot be read. Null for the sky alone: every picture starts with it, and the other
-  //! passes draw over it (EyeRenderer).
+  //! something cannot be read. Null only for the sky: every picture starts with the sky, and the
+  //! other passes draw over it (EyeRenderer).
   std::unique_ptr<Pass> (*make)(const PassInput& input) = nullptr;
 
   //! True if the pass keeps what it has prepared for one picture only; then the rows of two eyes

@@ -7,14 +7,14 @@ namespace ergodome {
 
 //! Returns an upper limit of the baseline [M] for the model `omni`, from the head's position alone:
 //! the head's distance from the horizon, but at most 0.72 r. For infalling heads within 1.2 horizon
-//! radii, the distance from the horizon is replaced by the limit at 1.2 horizon radii and by the
-//! remaining distance to the minimum radius. It is smooth enough that the image does not jump along
-//! a camera path.
+//! radii, two other limits replace the distance from the horizon: the limit at 1.2 horizon radii,
+//! and the distance to the minimum radius. The result is smooth enough that the image does not jump
+//! along a camera path.
 //!
 //! The polynomials of ODS eyes (OmniCamera) converge where the cameras are regular: up to the
 //! horizon and to about r. If the head moves much faster than infalling observers, or is at rest
-//! next to the ergosphere, the possible baseline may be smaller; max_baseline() takes that
-//! into account.
+//! next to the ergosphere, the possible baseline may be smaller; max_baseline() takes that into
+//! account.
 double omni_room(Spacetime spacetime, const CameraPose& pose);
 
 //! Returns the maximum baseline [M] of a show's stereo model at a pose. `physical`: infinity, as

@@ -27,9 +27,9 @@ struct BaselineReductions {
   ReducedBaseline smallest;
 };
 
-//! Checks a show at 33 evenly spaced times and, if these are at most 16, at the times of
-//! path_ends_s(); only at 0 s if nothing changes. Returns nothing if the show's baseline fits at
-//! all of them, for a single eye, and for the model `physical`.
+//! Checks the baseline of a show at 33 evenly spaced times and at the times of path_ends_s(),
+//! unless those are more than 16; only at 0 s if nothing changes. Returns nothing if the show's
+//! baseline fits at all checked times, for a single eye, and for the model `physical`.
 std::optional<BaselineReductions> baseline_reductions(const Show& show);
 
 //! Returns a warning about the picture at a show time, with the line of the baseline's key if the

@@ -30,8 +30,8 @@ bool has_stations(const Show& show);
 //! them, with and without the stations' derivatives. Returns nothing if has_stations() is false, or
 //! if r and θ are constant at all moments.
 //!
-//! Times and disk sizes are those of the stations for one second of the show; memory is that of one
-//! station. Errors are measured halfway between two stations, where they are largest.
+//! Times and disk sizes are totals over the stations that one second of the show needs; memory is
+//! that of one station. Errors are measured halfway between two stations, where they are largest.
 std::optional<AccuracyAxis> measure_stations(const Show& show, const std::vector<AccuracyMoment>& moments,
                                              const AccuracySettings& settings, const AccuracyProgress& progress);
 

@@ -23,7 +23,7 @@ constexpr double match_px = 2.0;
 //! size of the stars' disks, so that they do not show the accuracy of the method.
 constexpr double max_magnification = 1e3;
 //! An image is clearly bright if it is brighter than the search limit by this factor. Both methods
-//! must find it.
+//! must find every clearly bright image.
 constexpr double clearly_bright = 1.1;
 
 struct Found {
@@ -151,8 +151,8 @@ struct Tally {
   std::size_t known = 0;
 };
 
-//! The directions of all clearly bright exact images that either method led to at a moment, by
-//! star; each image once.
+//! The directions of all clearly bright exact images at a moment, by star; each image once. An
+//! exact image counts if an image that either method found was refined to it (exact_images()).
 using ExactByStar = std::multimap<int, Vector3<double>>;
 
 void add_exact(ExactByStar& known, int star, const Vector3<double>& n, double pixel) {

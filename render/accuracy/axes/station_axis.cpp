@@ -108,9 +108,10 @@ LensChoiceToMeasure station_choice(double spacing_s, bool derivatives) {
           [=](LensScene& scene) { return std::make_unique<StationPixels>(scene, spacing_s, derivatives); }};
 }
 
-//! Converts results to those of all stations for one second of the show: frame_ms becomes the time
-//! to build them, from prepare_ms, which is the time of two stations; disk_bytes is that of one.
-//! The time to blend and read moves to passes_ms. memory_bytes remains that of one station.
+//! Converts results for two stations to results for all stations that one second of the show needs.
+//! frame_ms, the time to blend two stations and read every pixel, moves to passes_ms; the time to
+//! build all stations replaces it, computed from prepare_ms, the time to build two. disk_bytes, the
+//! size of one station, becomes the size of all. memory_bytes remains that of one station.
 void count_a_second(Measurement& choice, double spacing_s) {
   choice.passes_ms["blending two stations and reading every pixel"] = spread_of(choice.frame_ms).median;
   for (std::size_t i = 0; i < choice.frame_ms.size(); ++i) {

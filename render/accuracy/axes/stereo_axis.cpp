@@ -20,8 +20,8 @@ namespace ergodome {
 
 namespace {
 
-//! Distance from the head in baselines: the right eye first, then the left one, whose result is
-//! compared.
+//! Distances of the eyes to the right of the head, in baselines: first the right eye, then the left
+//! eye, whose result is compared.
 constexpr double sides[] = {0.5, -0.5};
 
 //! Returns the projection of both eyes without the shift of their pictures for convergence.
@@ -34,8 +34,8 @@ Projection own_projection(const LensScene& scene, double side) {
   return converged_projection(head_projection(scene), side * stereo.baseline, stereo.convergence);
 }
 
-//! Measures the lenses of both eyes. Both write to the same memory, the left eye's last, so that
-//! the left eye's result is compared.
+//! Measures the lenses of both eyes. Both lenses write to the same memory, the left eye's last, so
+//! that the left eye's result is compared.
 class PairPixels : public PixelLens {
  public:
   PairPixels(LensScene& scene, std::vector<std::unique_ptr<LensSource>> sources)
@@ -57,8 +57,8 @@ class PairPixels : public PixelLens {
   std::vector<std::unique_ptr<LensSource>> sources_;
 };
 
-//! Measures the eyes of the stereo model `flat`: both read the lens of the head's camera, and each
-//! is masked with the shadow that it sees.
+//! Measures the eyes of the stereo model `flat`: both eyes read the lens of the head's camera, and
+//! each eye's picture is masked with the shadow that this eye sees.
 class FlatPixels : public PairPixels {
  public:
   FlatPixels(LensScene& scene, std::vector<std::unique_ptr<LensSource>> sources)

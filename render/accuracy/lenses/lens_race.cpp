@@ -14,7 +14,8 @@ namespace ergodome {
 namespace {
 
 //! Frames slower than this [ms] are drawn only twice: once to warm up, which is used as the first
-//! round, and once in the second round. Their change from frame to frame is not measured.
+//! round, and once in the second round. The change of their errors from frame to frame is not
+//! measured.
 constexpr double slow_ms = 1500.0;
 constexpr double slow_for_a_quick_look_ms = 400.0;
 constexpr std::size_t slow_round = 1;
@@ -34,7 +35,7 @@ struct Entry {
   //! Times of preparation and frames, by moment, and for each moment by round.
   std::vector<std::vector<double>> prepare_ms;
   std::vector<std::vector<double>> frame_ms;
-  //! Errors of all compared pixels at the current moment, as displacements in the view's axes.
+  //! Errors of all compared pixels at the current moment, as displacements in the view's axes [px].
   std::vector<Vector3<double>> misses;
 };
 
@@ -68,7 +69,8 @@ std::vector<Vector3<double>> misses_of(const PixelLens& lens, const PixelReferen
 }
 
 //! Compares a method's last draw with the reference, and stores the errors in `entry` and `map`.
-//! Ignores pixels for which PixelReference::counts() is false, and those that are dark in both.
+//! Ignores pixels for which PixelReference::counts() is false, and pixels that are dark in both the
+//! draw and the reference.
 void read_errors(const PixelLens& lens, const PixelReference& reference, const PixelLattice& lattice, Entry& entry,
                  ErrorMap& map) {
   entry.misses = misses_of(lens, reference, lattice);
@@ -239,8 +241,8 @@ constexpr double tolerances_px[] = {0.05, 0.005};
 constexpr double budgets_px[] = {1.0, 0.25, 0.1, 0.05, 0.025};
 
 //! Returns the finest levels to measure for the published quadtree grid (Verbraeck & Eisemann
-//! 2021). Its authors use up to 10, which is too coarse for errors of a tenth of a pixel in a large
-//! picture.
+//! 2021). Its authors use levels up to 10, which are too coarse for errors of a tenth of a pixel in
+//! a large picture.
 std::vector<int> levels(bool quick) {
   return quick ? std::vector<int>{8, 9, 10, 11} : std::vector<int>{9, 10, 11, 12, 13};
 }

@@ -18,7 +18,7 @@ namespace ergodome {
 //! their light comes from. For methods that trace single rays.
 template <class S>
 struct RayPicture {
-  std::vector<std::int64_t> pixels;  //!< in ascending order
+  std::vector<std::int64_t> pixels;  //!< indices of the pixels, in ascending order
   std::vector<S> n[3], sky[3], status;
 };
 

@@ -51,7 +51,7 @@ class PixelReference {
     //! Changes of the view direction from pixel to pixel: `view_x` to the right, `view_y` down.
     Vector3<double> view_x{};
     Vector3<double> view_y{};
-    Vector3<double> sky_x{};  //!< changes of the sky direction from pixel to pixel, likewise
+    Vector3<double> sky_x{};  //!< changes of `sky` from pixel to pixel: `sky_x` to the right, `sky_y` down
     Vector3<double> sky_y{};
   };
 

@@ -30,10 +30,11 @@ class FlatShadow {
   static constexpr double deepest = 16.0;
   static constexpr double depth_step = deepest / (depths - 1);
 
-  //! Returns the chart of the head's shadow in the view's axes, and the edge in that chart [rad].
+  //! chart() returns the chart of the head's shadow in the view's axes, head_edge() the shadow's
+  //! edge in that chart [rad].
   [[nodiscard]] const ShadowChart& chart() const { return view_chart_; }
   [[nodiscard]] const std::vector<float>& head_edge() const { return edge_; }
-  //! Returns the same chart in the observer's frame.
+  //! Returns the chart of the head's shadow in the observer's frame.
   [[nodiscard]] const ShadowChart& frame_chart() const { return frame_chart_; }
 
   //! Returns the maximum baseline [M]: the affine distance from the head to the nearest part of the

@@ -23,7 +23,8 @@ Vector3<double> edge_axis(const Vector3<float>& v) {
 //! Returns whether an observer moves so slowly relative to the rain frame that no part of the edge
 //! table is much magnified.
 bool sees_all_alike(const Aberration& to_rain) {
-  // A table is accurate to 1e-7, and a boost magnifies this by its Doppler factor at most.
+  // A table is accurate to 1e-7 rad, and a boost magnifies this error at most by its Doppler
+  // factor.
   constexpr double slow = 16.0;
   return to_rain.zamo_from_observer.stretch * to_rain.rain_from_zamo.stretch < slow;
 }

@@ -24,8 +24,8 @@ constexpr int deepest_a_side = 10;
 constexpr double safety = 0.8;
 constexpr int grid_step_limit = 400;
 
-//! Returns the largest error in a cell from the errors at its check points. Those at the inner
-//! ones, first and last, are multiplied by inner_share.
+//! Returns the largest error in a cell from the errors at its check points. The errors at the inner
+//! check points, the first and the last, are multiplied by inner_share.
 float worst_of(const float* checks) {
   return std::max({inner_share * checks[0], checks[1], checks[2], checks[3], checks[4], inner_share * checks[5]});
 }

@@ -36,12 +36,12 @@ struct GridSettings {
 //! horizon.
 //!
 //! Checks each cell of the conforming chart against rays traced at the center of the cell and of
-//! its sides. Splits the cell if the interpolated lens differs from them by more than 0.8 of the
-//! budget, along the axis with the larger error. Cells that still exceed the budget at the maximum
-//! depth or at `min_area_px` are flagged, and their pixels are traced. A node inside the side of
-//! a larger cell gets the value interpolated along that side, so that the map and its derivatives
-//! are continuous. For a camera on the equator (θ = π/2), only half of the grid is built; it is
-//! mirrored when it is read.
+//! its sides. Splits the cell if the interpolated lens differs from these rays by more than 0.8 of
+//! the budget, along the axis with the larger error. Cells that still exceed the budget at the
+//! maximum depth or at `min_area_px` are flagged, and their pixels are traced. A node inside the
+//! side of a larger cell gets the value interpolated along that side, so that the map and its
+//! derivatives are continuous. For a camera on the equator (θ = π/2), only half of the grid is
+//! built; it is mirrored when it is read.
 //!
 //! `tracer` traces float rays on its backend and keeps its memory for the next grid; without it
 //! they are traced on the CPU.

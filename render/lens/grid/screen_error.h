@@ -14,7 +14,7 @@ namespace ergodome {
 struct LensView {
   Spacetime spacetime;
   LensPosition position;
-  Aberration observer;  //!< from aberration_to_rain()
+  Aberration observer;  //!< aberration of the observer, from aberration_to_rain()
   double pixel;         //!< angle of a pixel on the observer's screen [rad]
   double share = 1.0;   //!< fraction of all directions that the screen shows
 };

@@ -186,7 +186,7 @@ StationStream::Held StationStream::read_from_file(std::size_t station) const {
       fresh.disk = std::make_shared<const DiskStation>(trajectory_.read_disk(station));
       fresh.bytes += fresh.disk->bytes();
     } catch (const std::exception& error) {
-      // The lens is usable without the disk.
+      // The error is only reported, because the lens is usable without the disk.
       report_(error.what());
       fresh.lost_disk = true;
     }

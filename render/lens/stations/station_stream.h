@@ -86,8 +86,8 @@ class StationStream {
     bool lost_disk = false;  //!< the station has a disk that cannot be read
   };
 
-  //! Indices of the readable stations around a moment. Both are the same if one suffices or only
-  //! one is readable.
+  //! Indices of the readable stations around a moment. Both indices are the same if one station
+  //! suffices or only one is readable.
   struct Bracket {
     std::size_t first = 0;
     std::size_t second = 0;

@@ -142,8 +142,8 @@ class DiskGridBuilder {
   }
 
   //! Marks a cell as steep if its rays may reach the disk and their phases differ by more than
-  //! `widest_phase`: its checks may miss images. It is then split along the axis along which phases
-  //! differ more.
+  //! `widest_phase`, because its checks may then miss images. Steep cells are split along the axis
+  //! along which phases differ more.
   void judge_phase(const OpenCell& cell, DiskVerdict& verdict) const {
     const auto at = [&](std::size_t corner) { return phases_[static_cast<std::size_t>(cell.corners[corner])]; };
     const auto apart = [&](std::size_t a, std::size_t b) { return std::abs(at(a).phase - at(b).phase); };

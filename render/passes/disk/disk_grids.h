@@ -89,8 +89,8 @@ inline bool is_worth_a_disk_grid(Backend backend, double pixels) {
 }
 
 //! Returns whether a show's disk may be read from a grid, if that is cheaper; for shows without
-//! shells. It may not on a GPU, if direct rays are requested, or with the published quadtree grid,
-//! which has no disk.
+//! shells. Returns false on a GPU, if direct rays are requested, and with the published quadtree
+//! grid, which has no disk.
 inline bool may_read_disk_grid(Backend backend, LensChoice lens, GridScheme scheme) {
   return backend == Backend::cpu && lens != LensChoice::direct && scheme == GridScheme::conforming;
 }

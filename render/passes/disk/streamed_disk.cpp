@@ -19,8 +19,8 @@ bool serve(const StationPair& pair, double budget_px, const DiskAppearance& disk
          (!pair.second || serves(pair.second_disk));
 }
 
-//! Returns whether a station is at the head's position. A single station need not be there: it may
-//! replace another one that could not be read.
+//! Returns whether a station is at the head's position. A single station need not be at that
+//! position: it may replace another one that could not be read.
 bool is_at(const DiskStation& station, const EyeCamera& eye) {
   return std::abs(station.cells.r - eye.head_r) <= 1e-9 * eye.head_r &&
          std::abs(station.cells.theta - eye.head_theta) <= 1e-9;

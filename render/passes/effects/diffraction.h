@@ -47,7 +47,7 @@ struct PixelBlock {
   int height;        //!< number of rows; nothing is drawn if it is not positive
   int first_column;  //!< columns [first_column, end_column) are drawn
   int end_column;
-  float* rgba;  //!< first row
+  float* rgba;  //!< pixels of the first row
 };
 
 //! Adds the pattern of a point of light to a block of pixels. Coverage does not change.

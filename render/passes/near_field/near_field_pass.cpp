@@ -171,7 +171,7 @@ void NearFieldPass::apply(const Show& show, const NumberChange& /*change*/) {
 
 bool NearFieldPass::serves(const Show& /*now*/, const Show& /*next*/) const {
   // A changed show always gets a new pass, which reads the meshes again, because their files may
-  // have changed. It shares everything else with the previous pass.
+  // have changed. The new pass shares everything else with the previous pass.
   return false;
 }
 

@@ -54,8 +54,8 @@ class NearFieldPass : public Pass {
   //! Returns the parts that a picture shows, and sets how its shells look: as in the show, or with
   //! thin white lines only if the picture is a heat map.
   [[nodiscard]] NearField parts_for(const EyePicture& picture) const;
-  //! Returns the same for an eye that shares its head's camera. Reads the disk from a grid at the
-  //! head, if that is worth building.
+  //! Returns the parts that a picture shows, for an eye that shares its head's camera. Reads the
+  //! disk from a grid at the head, if that is worth building.
   NearField parts_for_shared_camera(const EyePicture& picture);
 
   Backend backend_;

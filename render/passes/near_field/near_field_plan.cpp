@@ -110,8 +110,9 @@ void NearFieldPlan::plan_disk_without_shells(DiskDrawing drawing, const std::str
   if (may_make) {
     plan_disk_grid(with_budget, if_needed || streamed || plan_.maximum().disk->plunging);
   }
-  // Grids may be unusable: plunging matter inside the last stable orbit has no grid, and at some
-  // positions a grid leaves a quarter of the pixels or more to rays.
+  // Whether all pictures use the grid. Plunging matter inside the last stable orbit has no grid. A
+  // grid that was not requested is not used at positions where it would leave a quarter of the
+  // pixels or more to rays.
   const bool certain = asked && !plan_.maximum().disk->plunging;
   plan_.pixel_pass(disk_look_up_name(drawing), with_budget, if_needed || !certain);
   if (needs_.traced_objects) {
@@ -158,8 +159,7 @@ void NearFieldPlan::plan_flat_disk(bool if_needed) {
   const bool may_make =
       may_read_disk_grid(plan_.request().backend, plan_.request().lens, plan_.maximum().grid_scheme) &&
       (asked || is_worth_a_disk_grid(plan_.request().backend, pixels));
-  // As for other disks: some disks have no grid, and at some positions a grid leaves a quarter of
-  // the pixels or more to rays.
+  // Whether all pictures use the grid, as in plan_disk_without_shells().
   const bool certain = asked && !plan_.maximum().disk->plunging;
   const bool pattern_changes = needs_.disk_pattern != always_.disk_pattern;
   const std::string reason = plan_.why(needs_.disk_pattern ? "disk.pattern" : "disk");

@@ -23,9 +23,9 @@ constexpr float visible_step = 0.2F;
 //! sixty-four they look like beads.
 constexpr int first_edge_slices = 6;
 constexpr int edge_slices = 12;
-//! Square roots of the number of slices in other pixels with thin images (TileMark::thin): first
-//! for all, then for those whose own or neighboring slices hit an image that may be thinner than a
-//! slice.
+//! Square roots of the number of slices in pixels with thin images away from the shadow's edge
+//! (TileMark::thin): first for all, then for those whose own or neighboring slices hit an image
+//! that may be thinner than a slice.
 constexpr int first_thin_slices = 4;
 constexpr int thin_slices = 8;
 //! Square root of the number of slices in pixels whose images are only stretched

@@ -21,9 +21,9 @@ class ObjectPixels {
   //! Traces the pixels that may see objects with the kernels; the others stay 0.
   void draw();
 
-  //! Return for each pixel of the block, in host memory: the light and coverage of objects; the
-  //! Mino time of their light to the camera (for eyes of the model `flat`, minus their nearness).
-  //! See ObjectLayer.
+  //! For each pixel of the block, in host memory: rgba() returns the light and coverage of objects,
+  //! time() the Mino time of this light to the camera or, for eyes of the model `flat`, minus the
+  //! nearness of the object. See ObjectLayer.
   [[nodiscard]] const std::vector<float>& rgba() const { return rgba_; }
   [[nodiscard]] const std::vector<float>& time() const { return time_; }
 
@@ -114,7 +114,7 @@ class ObjectPixels {
   std::optional<FlatEyeSight> flat_;
   int first_row_, row_count_;
   int top_, bottom_;    //!< first and last row, including the additional rows
-  double turn_per_px_;  //!< see ObjectTileBatch
+  double turn_per_px_;  //!< rotation between adjacent pixels' rays [rad]; see ObjectTileBatch
   std::vector<Seen> seen_;
   std::vector<FlatReach> reach_;  //!< reach of each pixel, for an eye of the model `flat`
   std::vector<float> rgba_;

@@ -21,7 +21,7 @@ class SurfaceStore {
   //! Returns the objects that are partly invisible because they extend into the horizon.
   [[nodiscard]] const std::vector<ObjectInHorizon>& in_horizon() const { return in_horizon_; }
 
-  //! Returns the triangle trees and the surfaces, both with one entry per object.
+  //! trees() returns the triangle trees, surfaces() the surfaces, both with one entry per object.
   [[nodiscard]] const std::vector<TriangleTree>& trees() const { return trees_; }
   [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }
 

@@ -33,8 +33,8 @@ class TracedObjects {
   //! the next call.
   ObjectLayer draw(const PictureView& view, const RowBlock& rows) { return draw_rows(view, rows, {}); }
 
-  //! Does the same for an eye of the stereo model `flat`; `view` is that of the eye's head. The
-  //! layer's `time` then holds the negative nearness of what is seen.
+  //! Traces the objects in rows of the picture of an eye of the stereo model `flat`; `view` is that
+  //! of the eye's head. The layer's `time` then holds the negative nearness of what is seen.
   ObjectLayer draw(const PictureView& view, const RowBlock& rows, const FlatEyeSight& sight) {
     return draw_rows(view, rows, sight);
   }

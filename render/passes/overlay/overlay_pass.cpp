@@ -127,7 +127,8 @@ void OverlayPass::finish_frame(FinishedFrame& frame) {
                   : std::nullopt);
   const std::optional<double> time_s = sky ? frame.time_s : std::nullopt;
   for (const FinishedEye& eye : frame.eyes) {
-    // Eyes with a camera per direction share one projection: what is drawn on it is on the dome.
+    // Eyes with a camera per direction share one projection, so overlays are on the dome, at the
+    // same position for both eyes.
     const double offset = has_camera_per_direction(show.stereo) ? 0.0 : eye.offset;
     draw({frame.backend, eye.rgba, frame.tone, !sky},
          overlay_projection(frame.projection, offset, show.stereo.convergence), time_s);

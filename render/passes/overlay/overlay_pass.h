@@ -53,15 +53,15 @@ class OverlayPass : public Pass {
   //! Sets the language of captions by its tag; empty: the show's default.
   void set_language(const std::string& language) { language_ = language; }
 
-  //! Sets whether the show's captions are drawn. Its images are always drawn.
+  //! Sets whether the show's captions are drawn. The show's images are always drawn.
   void set_captions(bool shown) { captions_shown_ = shown; }
 
   //! Replaces the captions that are not part of the show, such as a greeting or help.
   //! Caption::presence is ignored: they stay visible with this opacity until replaced.
   void set_extra(std::vector<Caption> captions, double opacity = 1.0);
 
-  //! Sets the readout that the next picture shows; nullopt hides it. It is visible only if the
-  //! show's captions are.
+  //! Sets the readout that the next picture shows; nullopt hides it. The readout is drawn only if
+  //! the show's captions are drawn.
   void set_readout(std::optional<Caption> readout) { readout_ = std::move(readout); }
 
   //! Sets whether captions are omitted from pictures, for callers that composite caption_layer()

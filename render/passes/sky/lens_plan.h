@@ -9,7 +9,7 @@ namespace ergodome {
 
 //! Whether a picture's rays are followed to visible shells.
 struct ShellsFollowed {
-  bool at_most;  //!< true if they are at some time of the show
+  bool at_most;  //!< true if rays are followed to shells at some time of the show
   bool always;
 };
 

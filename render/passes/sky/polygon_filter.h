@@ -42,8 +42,8 @@ class PolygonFilter {
   void filter(const LensPixels& lens, int count, float* rgba) const;
 
  private:
-  //! The light above the sides of an outline, summed side by side. Areas are in columns times sine
-  //! of the declination.
+  //! The light above the sides of an outline, summed over the sides one after the other. Areas are
+  //! in columns times sine of the declination.
   struct Sum {
     glm::dvec4 light{0.0};
     double area = 0.0;

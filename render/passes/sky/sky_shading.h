@@ -3,7 +3,7 @@
 #include "content/show/show.h"
 #include "kernels/image/shade_pixels.h"
 
-// How the sky map is shaded, and which lens channels a picture needs, of the sky or a heat map.
+// How the sky map is shaded, and which lens channels a picture of the sky or a heat map needs.
 
 namespace ergodome {
 

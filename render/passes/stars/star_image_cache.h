@@ -12,9 +12,9 @@ namespace ergodome {
 //! view.
 bool serves(const StarSettings& found, const StarSettings& asked);
 
-//! Angle by which the search extends beyond the view of a turning camera [rad]. It increases the
-//! solid angle of a dome by a fifth, and that of a 60-degree window by seven tenths. A camera that
-//! turns by two degrees per frame then needs a search only in every seventh frame.
+//! Angle by which the search extends beyond the view of a turning camera [rad]. This margin
+//! increases the solid angle of a dome by a fifth, and that of a 60-degree window by seven tenths.
+//! A camera that turns by two degrees per frame then needs a search only in every seventh frame.
 inline constexpr double rotation_margin = 0.25;
 
 //! Caches the star images of the eyes of the last frames. Images are stored in the observer's

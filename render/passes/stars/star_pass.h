@@ -78,8 +78,8 @@ class StarPass : public Pass {
   FoundPoints find_points(const StarEye& eye, const Projection& projection, const std::optional<Shutter>& shutter,
                           PixelMatch match);
 
-  //! Returns how points are drawn for a projection. spikes() returns the pattern of spikes, nullptr
-  //! if the show has none.
+  //! splat_for() returns how points are drawn for a projection. spikes() returns the pattern of
+  //! spikes, nullptr if the show has none.
   [[nodiscard]] SplatSettings splat_for(const Projection& projection) const { return scaled_to(splat_, projection); }
   [[nodiscard]] const DiffractionPattern* spikes() const { return spikes_ ? &*spikes_ : nullptr; }
 

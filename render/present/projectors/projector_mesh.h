@@ -59,7 +59,7 @@ class MeshRaster {
 
  private:
   struct Corner {
-    double x;  //!< [px / 256]
+    double x;  //!< position on the raster [px / 256]
     double y;
   };
   [[nodiscard]] Corner corner(std::uint32_t vertex) const;

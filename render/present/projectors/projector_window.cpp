@@ -1,7 +1,7 @@
 #include "render/present/projectors/projector_window.h"
 
 #include <epoxy/gl.h>
-// Must follow epoxy, which provides OpenGL.
+// GLFW's header must follow that of epoxy, which declares OpenGL.
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 

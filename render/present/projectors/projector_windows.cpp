@@ -266,7 +266,7 @@ void ProjectorWindows::draw_by_opengl(std::size_t projector) {
   Screen& screen = state_->screens[projector];
   screen.sent.reset();
   screen.changed = true;
-  state_->version = -1;  // OpenGL may not have its light yet
+  state_->version = -1;  // makes show() compute the light for OpenGL, which may not have it yet
 }
 
 void ProjectorWindows::show(const PresentedPicture& master) {

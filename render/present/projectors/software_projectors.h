@@ -37,7 +37,8 @@ class SoftwareProjectors {
   //! resolution, top row first.
   [[nodiscard]] std::vector<std::uint8_t> frame(std::size_t projector);
 
-  //! Writes the same image to host memory, which must have the image's size.
+  //! Writes the image that a projector shows of the domemaster to host memory, which must have the
+  //! image's size.
   void frame(std::size_t projector, std::uint8_t* rgb);
 
   //! Draws all projectors' images into rasters in the backend's memory; waits for the GPU once.

@@ -22,7 +22,7 @@ enum ObjectUniform : int {
   //! frame of the moving observer.
   uniform_boost = 6,
   uniform_kind = 7,    //!< int: ProjectionKind
-  uniform_mirror = 8,  //!< float: -1 for a picture as seen from outside
+  uniform_mirror = 8,  //!< float: -1 for a picture as seen from outside, otherwise 1
   //! Vec4: half sizes and center of a flat screen or a cylinder; x of an equirectangular picture: a
   //! whole turn over its width.
   uniform_screen = 9,

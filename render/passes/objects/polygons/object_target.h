@@ -25,7 +25,7 @@ class ObjectTarget {
   void read(std::vector<float>& rgba) const;
 
   static constexpr int samples = 4;
-  //! Pictures are drawn in tiles of this size to limit memory.
+  //! Maximum width and height of the tiles in which pictures are drawn, to limit memory [px].
   static constexpr int longest_side_px = 2048;
   //! Returns the memory of a target [bytes]: four halves and a depth per sample, and four halves
   //! per pixel of the resolved picture.

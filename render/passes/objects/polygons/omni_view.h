@@ -17,7 +17,7 @@ struct OmniView {
   //! Offset, convergence and fade of the eye; its polynomials are not used.
   OmniCameraOf<float> eye;
   int degree;                       //!< degree of the polynomials in `coefficients`
-  std::vector<float> coefficients;  //!< by terms (render/eyes/disk_fit.h), omni_groups of four numbers each
+  std::vector<float> coefficients;  //!< omni_groups of four per term (render/eyes/disk_fit.h)
   RadialRange radii;                //!< range of the radii that the eye reaches as it turns [M]
 };
 

@@ -17,7 +17,7 @@ constexpr int corner_step_limit = 400;
 }  // namespace
 
 void CornerRows::trace(int first_row, int row_count) {
-  // The bottom corners of the previous rows are the top corners of these.
+  // The bottom corners of the previous rows are the top corners of the new rows.
   const std::size_t kept = corners_.empty() ? 0 : width_;
   std::copy(corners_.end() - static_cast<std::ptrdiff_t>(kept), corners_.end(), corners_.begin());
   corners_.resize(width_ * static_cast<std::size_t>(row_count + 1));

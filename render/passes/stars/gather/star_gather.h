@@ -16,7 +16,7 @@ struct GatheredStar {
   int x_px;  //!< column and row of the pixel
   int y_px;
   float x_inside;         //!< horizontal position in the pixel, 0 to 1, linearly interpolated
-  float y_inside;         //!< vertical position in the pixel, 0 to 1 downwards, likewise
+  float y_inside;         //!< vertical position in the pixel, 0 to 1 downwards, linearly interpolated
   float frequency_ratio;  //!< g = ν_observed / ν_emitted, mean of the pixel's corners
   //! Solid angle of the pixel divided by that of its polygon on the sky; negative for mirrored
   //! images.

@@ -33,16 +33,16 @@ constexpr int max_course_rounds = 24;
 //! A candidate whose `miss` exceeds this after the first rounds does not converge; in units of the
 //! distance to the shadow's edge.
 constexpr double lost_miss = 2.0;
-//! Miss above which no light arrived in that direction [rad].
+//! A `miss` above this means that no light arrives from the candidate's direction [rad].
 constexpr double no_light = 1e29;
 constexpr double nowhere = 1e30;
 //! A candidate whose miss exceeds this after on_way_rounds will not converge; as a fraction of the
 //! distance to the shadow's edge.
 constexpr double hopeless_miss = 0.02;
-//! The same limit for candidates that may be very bright.
+//! The limit `hopeless_miss` for candidates that may be very bright.
 constexpr double dazzling_miss = 0.5;
-//! Reported changes of the magnification above this are not accurate; they mean only that it
-//! changes much.
+//! Reported changes of the magnification above this are not accurate; they only mean that the
+//! magnification changes much.
 constexpr double max_decisive_change = 0.5;
 //! Minimum distance between a star and a fold that double-precision rays can resolve [rad].
 constexpr double min_shortfall = 1e-8;
@@ -198,8 +198,9 @@ bool needs_finest(const StarCandidate& c, const ImageSearch& search) {
   return c.miss <= near_px * search.pixel && beside_caustic && !faint;
 }
 
-//! Returns whether a candidate next to a caustic moves only by short steps. It then continues with
-//! the finest rays, which are needed anyway, instead of converging with less precise ones first.
+//! Returns whether a candidate next to a caustic moves only by short steps. Such a candidate
+//! continues with the finest rays, which are needed anyway, instead of converging with less precise
+//! ones first.
 bool is_settled_beside_caustic(const StarCandidate& c, const ImageSearch& search) {
   return c.change < max_decisive_change && singular_values(c).smaller_square < steepest * steepest &&
          needs_finest(c, search);

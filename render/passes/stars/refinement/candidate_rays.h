@@ -65,7 +65,7 @@ class CandidateRays {
     std::atomic<long> time_ns{0};
   };
 
-  std::array<Tally, 2> tallies_;  //!< of rays in single precision, and in double precision
+  std::array<Tally, 2> tallies_;  //!< totals of rays in single precision, and of rays in double precision
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

@@ -7,7 +7,8 @@
 
 namespace ergodome {
 
-//! A put(vector) for view(): kernels on the CPU read the vectors themselves.
+//! Function to pass to view() as `put` if kernels run on the CPU: returns the address of the
+//! vector's own data.
 inline constexpr auto host_data = [](const auto& values) { return values.data(); };
 
 //! Errors of a leaf's interpolating patch at the rays that checked the leaf, as fractions of the

@@ -97,7 +97,7 @@ void RoughImageFinder::invert(const Pairs& pairs, PatchShape shape, std::vector<
 }
 
 //! Drops the pairs whose stars are outside the border of their patch, so that they occupy no lanes
-//! in Newton's method. Keeps the sides of the others.
+//! in Newton's method. Keeps the values of `sides_` for the other pairs.
 void RoughImageFinder::drop_outside(Pairs& pairs) {
   sides_.resize(pairs.size());
   run_on_this_thread(PatchSideBatch{batch_of(pairs), sides_.data()});

@@ -71,7 +71,8 @@ StarAppearance appearance_of(const StarSettings& settings) {
 }
 
 //! Converts an approximate image to a candidate, using what the observer sees at its position. Sets
-//! star to -1 if it is too faint or out of view, unless its position is only a guess.
+//! the candidate's star to -1 if the image is too faint or out of view, unless the image's position
+//! is only a guess.
 StarCandidate candidate_of(const RoughImage& image, const FieldStar& star, const ImageObserver& observer,
                            const ObservedPositions& positions, std::size_t i, const StarSettings& settings) {
   const float g = positions.frequency_ratio[i];
@@ -99,7 +100,8 @@ Vector3<float> light_of(const StarCandidate& c, const FieldStar& star, const Bla
                     1.0F / static_cast<float>(capped_solid_angle(c)));
 }
 
-//! Converts a candidate to an image. Its star is -1 if there is no image or it is too faint.
+//! Converts a candidate to an image. The image's star is -1 if the candidate is not an image or is
+//! too faint.
 StarImage image_of(const StarCandidate& c, const FieldStar& star, const BlackbodyTable& colours,
                    const StarSettings& settings) {
   StarImage image{};
