@@ -12,7 +12,7 @@ namespace ergodome {
 
 //! Settings of a picture with their measured error and time; NaN if not measured.
 struct MeasuredSetting {
-  FrameQuality quality;  //!< its error budget is in pixels of the whole picture
+  FrameQuality quality;  //!< with an error budget in pixels of the whole picture
   //! 99 % quantile of the displacement of directions, at the worst of the measured times [px of the
   //! whole picture].
   double error_px = std::numeric_limits<double>::quiet_NaN();

@@ -23,8 +23,9 @@ class Deadline {
   Deadline(SecondsSource now, double limit_s) : now_(std::move(now)), begin_s_(now_()), limit_s_(limit_s) {}
 
   //! Runs a unit of work if it is expected to end before `share` of the time limit has passed.
-  //! Returns whether it ran. It is expected to take `growth` times the longest earlier unit of its
-  //! kind; for the first one, `expected_s`, but at least a quarter of `share` of the time limit.
+  //! Returns whether the unit ran. A unit is expected to take `growth` times the longest earlier
+  //! unit of its kind; for the first one, `expected_s`, but at least a quarter of `share` of the
+  //! time limit.
   bool run(StartWork kind, const std::function<void()>& work, double share = 1.0, double growth = 1.5,
            double expected_s = 0.0) {
     constexpr double unknown_share = 0.25;

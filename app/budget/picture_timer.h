@@ -34,8 +34,9 @@ class PictureTimer {
   //! each size was timed. The budget of `quality` is in pixels of the whole picture.
   [[nodiscard]] std::optional<PictureTime> time(const FrameQuality& quality);
 
-  //! Return the time and the width of the picture that was drawn fastest, usually a small one. They
-  //! are NaN and 0 if none was drawn. A picture of the full width takes at least as long.
+  //! quickest_ms() returns the time of the picture that was drawn fastest, usually a small one, and
+  //! quickest_px() its width; NaN and 0 if none was drawn. A picture of the full width takes at
+  //! least that long.
   [[nodiscard]] double quickest_ms() const { return quickest_ms_; }
   [[nodiscard]] int quickest_px() const { return quickest_px_; }
 

@@ -47,7 +47,7 @@ class RateKeeper {
   std::deque<double> interval_ms_;
   long frames_here_ = 0;   //!< number of frames on this rung
   long frames_quick_ = 0;  //!< consecutive frames so fast that the finer rung would fit
-  long patience_;          //!< the finer rung is tried after more than this many of them
+  long patience_;          //!< the finer rung is tried once frames_quick_ exceeds this
   bool trying_ = false;    //!< this rung was reached by a step up and is not proven fast enough yet
   long changes_ = 0;
 };

@@ -49,9 +49,9 @@ class LadderMaker {
     return found != settings_.end() ? &*found : nullptr;
   }
 
-  //! Returns a measured setting of this kind of lens with the point filter. Its budget does not
-  //! matter, because the time that this filter saves does not depend on it. Returns null if there
-  //! is no such setting.
+  //! Returns a measured setting of this kind of lens with the point filter. The budget of that
+  //! setting does not matter, because the time that the point filter saves does not depend on the
+  //! budget. Returns null if there is no such setting.
   [[nodiscard]] const MeasuredSetting* plain_twin(const MeasuredSetting& lens) const {
     const auto found = std::ranges::find_if(settings_, [&](const MeasuredSetting& each) {
       return each.quality.lens == lens.quality.lens && each.quality.filter == SkyFilter::point;

@@ -10,7 +10,8 @@ namespace ergodome {
 
 //! Settings and size of pictures in a running show.
 struct Rung {
-  //! Its error budget is in pixels of the whole picture, also for smaller pictures.
+  //! Quality settings, whose error budget is in pixels of the whole picture, also for smaller
+  //! pictures.
   FrameQuality quality;
   int size_px = 0;        //!< width of one eye's picture
   double error_px = 0.0;  //!< measured error of its lens [px of the whole picture]

@@ -33,8 +33,8 @@ constexpr std::size_t timed_moments = 2;
 constexpr double moments_share = 0.25;
 constexpr double pictures_share = 0.6;
 constexpr double lenses_share = 0.9;
-//! Range of budgets of lenses relative to the budget's error. It starts above 1, because grids are
-//! mostly better than their budget.
+//! Range of budgets of lenses relative to the budget's error. The range starts above 1, because
+//! grids are mostly better than their budget.
 constexpr double loosest_lens = 2.0;
 constexpr double finest_lens = 0.03;
 //! Range of budgets of lenses if the budget has no error [px].
@@ -124,7 +124,8 @@ class SettingsMeter {
     return moment;
   }
 
-  //! Return the coarsest budget of a lens to measure, which is the first, and the finest [px].
+  //! loosest_budget() returns the coarsest budget of a lens to measure, which is measured first;
+  //! finest_budget() returns the finest [px].
   [[nodiscard]] double loosest_budget() const {
     return order_.budget.error_px ? loosest_lens * *order_.budget.error_px : loosest_px;
   }
@@ -151,7 +152,7 @@ class SettingsMeter {
       setting.quality = {budget_px, lens, first_quality_.filter};
       const bool within = measure_lens(setting, lens == order_.lens ? lenses_share : 1.0);
       if (setting.moments == 0) {
-        break;  // There is no time for finer ones.
+        break;  // There is no time left for lenses.
       }
       result_.settings.push_back(setting);
       if (within && order_.budget.error_px) {
@@ -219,8 +220,9 @@ class SettingsMeter {
     return within;
   }
 
-  //! Returns the budget of pictures drawn for timing. It is coarser than all budgets measured
-  //! later: the renderer would reuse a finer grid for those lenses instead of building theirs.
+  //! Returns the budget of pictures drawn for timing. It is coarser than the budgets of all lenses
+  //! measured later, because the renderer would reuse a finer grid for these lenses instead of
+  //! building theirs.
   [[nodiscard]] double coarse_px() const { return 1.1 * loosest_budget(); }
 
   //! Determines whether the whole picture's lens is one of direct rays although the operator chose
@@ -293,7 +295,7 @@ class SettingsMeter {
   std::vector<BudgetMoment> moments_;
   std::vector<KindTimes> times_;
   bool moves_ = false;
-  //! With `automatic`, the renderer uses direct rays for the whole picture.
+  //! True if the renderer uses direct rays for the whole picture with LensChoice::automatic.
   bool automatic_is_direct_ = false;
   SettingsMeasurement result_;
 };

@@ -41,7 +41,7 @@ struct SettingsMeasurement {
   UntimedFrames untimed = UntimedFrames::none;
   //! If whole frames were not timed: the time of the fastest picture drawn; NaN: none was drawn.
   double quickest_ms = std::numeric_limits<double>::quiet_NaN();
-  int quickest_px = 0;     //!< width of that picture
+  int quickest_px = 0;     //!< width of the fastest picture drawn
   bool cut_short = false;  //!< time ran out before everything was measured
   double took_s = 0.0;
 };

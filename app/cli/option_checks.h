@@ -40,8 +40,8 @@ class IgnoredOptions {
   //! `command` must outlive this.
   explicit IgnoredOptions(CLI::App& command) : command_(&command) {}
 
-  //! Registers options that have no effect while `holds` returns true; it is called after parsing.
-  //! `where` is part of the message: "without --method grid", "of a test pattern".
+  //! Registers options that have no effect while `holds` returns true; `holds` is called after
+  //! parsing. `where` is part of the message: "without --method grid", "of a test pattern".
   void add(const char* where, std::function<bool()> holds, std::initializer_list<const char*> options);
   //! Throws CLI::ValidationError for the first given option that has no effect.
   void refuse() const;

@@ -15,9 +15,9 @@ namespace ergodome {
 
 //! Makes a show render the domemaster that the warps of a setup sample: 180°, equidistant,
 //! uncropped, from inside, correct as seen from the setup's viewer. A tilt given in the setup
-//! replaces the show's, unless that is artistic. Throws Error if the show's layout is neither
-//! `mono` nor `separate`; the error is a UsageError if the layout was given on the command line, as
-//! `stereo` (empty: not given).
+//! replaces the show's, unless the show's tilt is artistic (ViewSettings::artistic_tilt). Throws
+//! Error if the show's layout is neither `mono` nor `separate`; the error is a UsageError if the
+//! layout was given on the command line, as `stereo` (empty: not given).
 void fit_to_setup(Show& show, const DomeSetup& setup, const std::string& stereo = {});
 
 //! Makes a show render the whole sky as a strip of six faces of a cube, with the stereo model of its

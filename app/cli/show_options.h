@@ -16,8 +16,8 @@ namespace ergodome {
 struct ShowOverrides {
   ShowSettings set;  //!< keys changed by --set
   std::string projection;
-  std::string objects;  //!< method of drawing them
-  std::string stereo;   //!< layout
+  std::string objects;  //!< method of drawing objects
+  std::string stereo;   //!< stereo layout
   std::optional<double> tilt_deg;
   std::optional<double> baseline;  //!< [M]
 };

@@ -144,8 +144,8 @@ void draw_picture(const DiagramOptions& options, const Show& show, const Diagram
   }
 }
 
-//! Returns one camera for a whole film, in the direction for its first frame. It frames the scenes
-//! and legends of several frames.
+//! Returns one camera for a whole film, in the direction for its first frame. The camera shows the
+//! scenes of several frames completely, above their legends.
 OutsideCamera film_camera(const DiagramOptions& options, const Show& show, const Diagram& diagram,
                           const DiagramPicture& picture, std::pair<int, int> frames) {
   std::vector<Vector3<double>> framed;

@@ -39,8 +39,8 @@ class Exhibit {
   ExhibitTimes times_;
   ExhibitScene scene_ = ExhibitScene::attract;
   double now_s_ = 0.0;
-  double began_s_ = 0.0;    //!< start of the scene
-  double touched_s_ = 0.0;  //!< last input
+  double began_s_ = 0.0;    //!< time of the scene's start
+  double touched_s_ = 0.0;  //!< time of the last input
   //! Whether the last visitor's session ended because it reached its limit.
   bool session_over_ = false;
 };

@@ -51,8 +51,8 @@ class ExhibitScenes {
   //! Returns whether an operator has ever held the exit keys for three seconds.
   [[nodiscard]] bool left() const { return left_; }
 
-  //! Return the captions for visitors (the countdown, the hint about a black view, or the welcome),
-  //! and their common opacity. `pad` means that a controller is connected.
+  //! captions() returns the captions for visitors (the countdown, the hint about a black view, or
+  //! the welcome), opacity() their common opacity. `pad` means that a controller is connected.
   [[nodiscard]] std::vector<Caption> captions(bool pad) const;
   [[nodiscard]] double opacity() const;
   //! Records the lit fraction of a visitor's view, 0 to 1. Does nothing during the attract show.
@@ -63,8 +63,9 @@ class ExhibitScenes {
   //! Returns whether the countdown to the end of the visit is shown.
   [[nodiscard]] bool is_ending() const { return exhibit_.ending_in_s().has_value(); }
 
-  //! Return commands that apply the operator's settings (at the start: those saved by the last
-  //! run), and why a settings file could not be read, otherwise an empty text.
+  //! saved_commands() returns commands that apply the operator's settings (at the start: those
+  //! saved by the last run). damage() returns why a settings file could not be read; empty if there
+  //! was no such problem.
   [[nodiscard]] std::vector<TransportCommand> saved_commands() const;
   [[nodiscard]] const std::string& damage() const { return damage_; }
   //! Returns why the current settings cannot be saved, and the remedy; empty if they are saved or

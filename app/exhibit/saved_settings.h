@@ -8,7 +8,7 @@ namespace ergodome {
 //! The operator's settings that survive a restart.
 struct SavedSettings {
   double exposure_stops = 0.0;
-  double baseline = -1.0;  //!< [M]; below 0: the show's
+  double baseline = -1.0;  //!< baseline [M]; below 0: the show's
   double volume = 1.0;
   std::string language;
   bool captions = true;

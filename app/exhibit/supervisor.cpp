@@ -83,7 +83,7 @@ int wait_for(pid_t child) {
 }  // namespace
 
 void restart_after_crashes() {
-  std::fflush(stdout);  // otherwise both processes would print it
+  std::fflush(stdout);  // otherwise both processes would print the buffered text
   while (true) {
     const auto begin = steady_clock::now();
     set_handlers(pass_on);

@@ -12,7 +12,8 @@ namespace ergodome {
 struct CameraPlacement {
   double r = 10.0;                    //!< [M]
   glm::dvec3 towards{1.0, 0.0, 0.0};  //!< unit vector from the hole to the camera
-  //! Rotation from the view's axes (x right, y up, z back) to that non-rotating space.
+  //! Rotation from the view's axes (x right, y up, z back) to the non-rotating space with z along
+  //! the spin axis.
   glm::dquat view{1.0, 0.0, 0.0, 0.0};
 };
 
@@ -27,7 +28,8 @@ glm::dvec3 east_at(const glm::dvec3& towards);
 //! Moves a unit vector along a great circle by `step`, a perpendicular vector in radians.
 glm::dvec3 moved_on_sphere(const glm::dvec3& towards, const glm::dvec3& step);
 
-//! Convert between an axis times an angle [rad] and a rotation; turn_of() returns the shorter way.
+//! rotation() converts an axis times an angle [rad] to a rotation. turn_of() converts a rotation
+//! back, to an angle of at most half a turn.
 glm::dquat rotation(const glm::dvec3& turn);
 glm::dvec3 turn_of(const glm::dquat& rotation);
 

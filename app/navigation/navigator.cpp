@@ -257,7 +257,8 @@ void Navigator::return_to_path() {
   if (course_ != Course::free) {
     return;
   }
-  // A camera that flies back can neither leave the horizon nor enter it, so it jumps to the path.
+  // The camera cannot fly back to the path across the horizon, in either direction, so it jumps to
+  // the path instead.
   if (committed() || !(path_.r > horizon_radius(spacetime_))) {
     reset();
     course_ = Course::path;
@@ -286,7 +287,7 @@ void Navigator::set_mode(FlightMode mode) {
     return;
   }
   if (mode != mode_) {
-    end_ride();  // its velocity becomes the ship's
+    end_ride();  // the ride's velocity becomes that of the ship
     take_east_from_view();
   }
   mode_ = mode;

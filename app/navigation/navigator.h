@@ -85,8 +85,9 @@ class Navigator {
   //! Returns the name of the flight mode, for the screen.
   [[nodiscard]] std::string_view mode_name(std::string_view language = "en") const;
 
-  //! Return the rotation rate of the view relative to fixed directions [rad/s], and the velocity of
-  //! flying as a spaceship or on an orbit [distances/s]. The limits of comfort apply to both.
+  //! turn_rate() returns the rotation rate of the view relative to fixed directions [rad/s],
+  //! fly_velocity() the velocity of flying as a spaceship or on an orbit [distances/s]. The limits
+  //! of comfort apply to both.
   [[nodiscard]] const glm::dvec3& turn_rate() const { return turn_; }
   [[nodiscard]] const glm::dvec3& fly_velocity() const { return motion_.fly(); }
   [[nodiscard]] const FlightSpace& space() const { return space_; }

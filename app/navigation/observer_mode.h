@@ -39,14 +39,14 @@ struct ObserverView {
   ObserverMotion motion = ObserverMotion::zamo;
   //! Velocity in the ZAMO frame, if `motion` is ObserverMotion::velocity.
   Vector3<double> velocity{};
-  bool nearest = false;  //!< replaces an impossible observer
+  bool nearest = false;  //!< true if it replaces an impossible observer
   std::string name;      //!< name of the observer, such as "static observer"
   std::string sentence;  //!< the name, the speed, and whether it is a replacement
 };
 
-//! Returns the observer at a position. `shown` is the show's, for ObserverMode::natural, unless
-//! `own` gives the motion of the camera itself (on an orbit, hovering). `language`: "de", otherwise
-//! English.
+//! Returns the observer at a position. For ObserverMode::natural, this is the observer of the show,
+//! given by `shown`, unless `own` gives the motion of the camera itself (on an orbit, hovering).
+//! `language`: "de", otherwise English.
 ObserverView observer_view(ObserverMode mode, const CameraSettings& shown, const std::optional<ObserverView>& own,
                            Spacetime spacetime, double r, double theta, std::string_view language = "en");
 

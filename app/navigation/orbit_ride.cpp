@@ -134,8 +134,8 @@ void OrbitRide::take_clock_of(const OrbitRide& other) {
 }
 
 double OrbitRide::usual_clock() const {
-  // A fall through the horizon slows down in proportion to the remaining time: near its end, most
-  // is to be seen in the least proper time.
+  // A fall through the horizon slows down in proportion to the remaining time: near its end, there
+  // is much to see in little proper time.
   return left_ ? (*left_ + last_proper_time) / fall_s : 2.0 * pi * begin_r_ * std::sqrt(begin_r_) / round_s;
 }
 

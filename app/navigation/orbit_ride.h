@@ -10,8 +10,9 @@ namespace ergodome {
 
 //! A camera in free fall along a timelike geodesic. Its clock runs as fast as comfort allows.
 //!
-//! A ride through the horizon uses ingoing Kerr azimuths, also in its CameraPlacement. Its velocity
-//! is in the rain frame, from which the axes are boosted (CameraPose::velocity_in_rain).
+//! A ride through the horizon uses ingoing Kerr azimuths, also in its CameraPlacement. The velocity
+//! of such a ride is in the rain frame, from which the axes are boosted
+//! (CameraPose::velocity_in_rain).
 class OrbitRide {
  public:
   //! Starts a ride outside the horizon; `velocity` is in the ZAMO frame and slower than light.
@@ -94,7 +95,8 @@ class OrbitRide {
   std::optional<double> left_;        //!< result of left() [M]
   double left_estimated_at_r_ = 0.0;  //!< radius at which `left_` was last computed by integration [M]
   bool held_ = false;
-  //! The ride took over a velocity that is faster than comfortable, and is still slowing down.
+  //! True if the ride took over a velocity that is faster than comfortable, and is still slowing
+  //! down.
   bool taken_over_ = false;
 };
 
@@ -103,8 +105,8 @@ class OrbitRide {
 //! is positive, otherwise retrograde.
 Vector3<double> circular_velocity(Spacetime spacetime, double r, double theta, double sense);
 
-//! Convert between a pose and a CameraPlacement with the ingoing Kerr azimuth. Inside the horizon,
-//! poses already have that azimuth.
+//! ingoing_placement() converts a pose to a CameraPlacement with the ingoing Kerr azimuth,
+//! pose_of_ingoing() converts back. Inside the horizon, poses already have that azimuth.
 CameraPlacement ingoing_placement(const CameraPose& pose, Spacetime spacetime);
 CameraPose pose_of_ingoing(const CameraPlacement& placement, Spacetime spacetime);
 

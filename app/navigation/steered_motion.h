@@ -44,7 +44,8 @@ class SteeredMotion {
   [[nodiscard]] const glm::dvec3& around() const { return around_; }
   //! Returns the velocity as a ship [distances/s].
   [[nodiscard]] const glm::dvec3& fly() const { return fly_; }
-  //! Sets the velocity as a ship, for a camera that is in free fall.
+  //! Sets the velocity that fly() returns [distances/s], for a camera in free fall, whose orbit
+  //! determines it instead of the steering.
   void set_fly(const glm::dvec3& fly) { fly_ = fly; }
 
  private:

@@ -11,7 +11,7 @@ namespace ergodome {
 //! The state of a controller in one frame.
 struct PadView {
   std::shared_ptr<const PadIdentity> identity;
-  //! Lowest free number, from 1, when it was opened; 0 if it could not be opened.
+  //! Lowest free number, from 1, when the controller was opened; 0 if it could not be opened.
   int number = 0;
   bool connected = false;  //!< false: gone since the last snapshot, or could not be opened
   bool absent = false;     //!< a receiver is connected, but its controller is not
@@ -22,7 +22,7 @@ struct PadView {
   double last_report_s = 0.0;  //!< time of the last report, by the hub's clock
   double last_input_s = 0.0;   //!< when the state last changed; minus infinity: never
   long reports = 0;
-  long refused = 0;     //!< malformed reports
+  long refused = 0;     //!< number of malformed reports
   std::string problem;  //!< why it cannot be read, and what to do; empty: no problem
 };
 
@@ -30,7 +30,7 @@ struct PadView {
 struct PadSnapshot {
   double time_s = 0.0;  //!< time of the snapshot, by the hub's clock
   std::vector<PadView> pads;
-  std::string problem;  //!< of the library; empty: none
+  std::string problem;  //!< problem of the controller library; empty: none
 
   //! Merges all controllers: the strongest value of each axis, and buttons pressed on any.
   [[nodiscard]] PadState merged() const;

@@ -16,7 +16,8 @@ namespace ergodome {
 //! from `full_at` on.
 //! With t from 0 to 1 between the two: s = t^exponent, then (1 - expo) s + expo s^3.
 struct PadCurve {
-  //! Fraction of full deflection; radial for sticks and 3D mice, which keeps the direction.
+  //! Dead zone as a fraction of full deflection. It is radial for sticks and 3D mice, so that it
+  //! does not change the direction.
   double dead_zone = 0.0;
   double full_at = 1.0;
   double exponent = 1.0;
@@ -47,7 +48,7 @@ struct PadIdentity {
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
   std::string name;
-  std::string serial;      //!< empty if it has none
+  std::string serial;      //!< serial number; empty if the controller has none
   std::string connection;  //!< "USB", "Bluetooth" or "other"
   std::string path;        //!< system path, such as /dev/hidraw3
   std::string model;       //!< model of its decoder: "DualSense"
@@ -59,7 +60,7 @@ struct PadIdentity {
 struct PadProfile {
   std::string device;  //!< "054c:0ce6", vendor and product in lower-case hex; empty: any
   std::string name;    //!< name reported by the controller; empty: any
-  std::string serial;  //!< empty: any
+  std::string serial;  //!< serial number of the controller; empty: any
   bool ignore = false;
   //! Whether to request full reports when the controller is opened. Keep it false if the kernel has
   //! a driver for the controller, which requests them itself.

@@ -39,8 +39,8 @@ class MidiClockInput {
   std::string port_;
 };
 
-//! Returns the clock driven by MIDI time code. It stays valid for a second after the last quarter
-//! frame.
+//! Returns the clock driven by MIDI time code. The clock stays valid for a second after the last
+//! quarter frame.
 std::shared_ptr<ExternalClock> make_midi_clock();
 
 }  // namespace ergodome

@@ -82,7 +82,7 @@ std::vector<MidiTimeCodeReader::Reading> MidiTimeCodeReader::read(std::span<cons
 
 std::optional<MidiTimeCodeReader::Reading> MidiTimeCodeReader::read_byte(std::uint8_t byte) {
   if (byte >= first_realtime) {
-    return std::nullopt;  // may occur within any other message
+    return std::nullopt;  // a real-time message, which may occur within any other message
   }
   if (byte < 0x80) {
     if (in_exclusive_) {

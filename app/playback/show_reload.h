@@ -135,7 +135,7 @@ class WatchedShows {
   //! read, and is loaded when it becomes the running one.
   struct Waiting {
     std::string file;
-    std::string problem;  //!< empty: none
+    std::string problem;  //!< why the show cannot be read; empty: it can be read
   };
   //! Checks the waiting shows; called once per frame. If a show with changed files has just been
   //! read, returns the result; otherwise returns nothing.

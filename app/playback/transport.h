@@ -115,7 +115,7 @@ struct PlayerStatus {
   bool loop = true;
   bool blackout = false;
   double exposure_stops = 0.0;
-  double baseline = 0.0;  //!< requested [M]
+  double baseline = 0.0;  //!< requested baseline [M]
   //! Baseline of the last frame [M]; smaller than requested where it had to be reduced.
   double baseline_used = 0.0;
   bool stereo = false;

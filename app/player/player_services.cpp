@@ -57,7 +57,8 @@ PlayerServices::PlayerServices(const ServiceOptions& options, const Show& show)
   remote_ = std::make_unique<RemoteControl>(options.remote, queue_, board_, ring_, std::move(listeners));
   report(spdlog::level::warn, remote_->warning());
   for (const std::string& line : remote_->greeting()) {
-    // For the user who started the show; may contain the token, so it must not be logged.
+    // Printed only for the user who started the show: the line may contain the token, so it must
+    // not be logged.
     print_out("{}\n", line);
   }
   std::fflush(stdout);

@@ -24,7 +24,7 @@ struct ServiceOptions {
   std::string clock_start;
   bool sound = true;
   double sound_later_s = 0.0;      //!< delay of the sound [s], which compensates for a slow display
-  std::filesystem::path log_file;  //!< empty: none
+  std::filesystem::path log_file;  //!< log file; empty: none
   bool log_on_terminal = true;
 };
 

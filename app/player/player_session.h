@@ -28,7 +28,8 @@ struct SessionOptions {
   bool free_flight = false;
   std::string language;  //!< language of the texts; empty: the show's
   bool one_eye = false;  //!< the head's picture is shown, so the eyes cannot be changed
-  //! The window has no separate eye buffers: layouts that need them are shown side by side.
+  //! True if the window has no separate eye buffers; layouts that need them are then shown side by
+  //! side.
   bool plain_window = false;
   TimeSource source = steady_time;
 };
@@ -125,9 +126,9 @@ class PlayerSession {
 
   ViewMode mode_ = ViewMode::sky;
   double zoom_steps_ = 0.0;
-  //! The operator's, except baseline (in `playback_`) and convergence.
+  //! The operator's stereo settings, except the baseline (in `playback_`) and the convergence.
   StereoSettings stereo_;
-  std::optional<double> convergence_;  //!< replaces the show's [M]
+  std::optional<double> convergence_;  //!< the operator's convergence distance; replaces the show's [M]
   bool help_shown_ = false;
   bool times_shown_ = false;
   std::string message_;

@@ -11,8 +11,8 @@ namespace ergodome {
 
 //! The inputs that determine the observer of a frame.
 struct ObserverScene {
-  const Show& show;     //!< with the numbers of its file, before animation
-  Spacetime spacetime;  //!< now
+  const Show& show;     //!< the show with the numbers of its file, before animation
+  Spacetime spacetime;  //!< the current spacetime
   double time_s;        //!< show time
   const Navigator& navigator;
   const std::string& language;

@@ -29,7 +29,8 @@ class SessionPictures {
   //! output.
   PictureNews advance(const PlayerSession& session, PictureRequest wish, bool changed);
 
-  //! Returns the news of SceneRenderers::advance.
+  //! Calls SceneRenderers::advance() for `show` and returns its result: whether another renderer is
+  //! in use, or why there is none.
   SceneRenderers::News take_renderer(const Show& show);
 
   //! Returns whether to show the output now. Without a frame rate budget, always; with one, for

@@ -21,7 +21,7 @@ class WebServer;
 
 //! Options for controlling a running show from outside. Nothing listens unless a port is given.
 struct RemoteOptions {
-  std::optional<int> web_port;  //!< 0: any free port
+  std::optional<int> web_port;  //!< port of the status page; 0: any free port
   std::string web_bind = "127.0.0.1";
   std::string web_token;
   std::string web_token_file;
@@ -30,7 +30,7 @@ struct RemoteOptions {
   std::filesystem::path saved_token_file;
   std::optional<int> osc_port;
   std::string osc_bind = "127.0.0.1";
-  std::vector<std::string> osc_subscribers;  //!< HOST:PORT
+  std::vector<std::string> osc_subscribers;  //!< addresses that receive OSC feedback, HOST:PORT
 };
 
 //! Adds --web, --web-bind, --web-token, --web-token-file, --osc, --osc-bind and --osc-subscriber to

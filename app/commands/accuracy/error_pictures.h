@@ -15,7 +15,8 @@ void draw_error_pictures(AccuracyReport& report, double max_px, const std::files
 //! Range of the logarithmic color scale of error pictures [px].
 inline constexpr double min_drawn_px = 1e-4;
 inline constexpr double max_drawn_px = 10.0;
-//! The same range for light, relative to the mean of the picture.
+//! Range of the logarithmic color scale of error pictures for light, relative to the mean of the
+//! picture.
 inline constexpr double min_drawn_light = 1e-5;
 inline constexpr double max_drawn_light = 1.0;
 

@@ -42,7 +42,7 @@ const char* colour_of(const std::string& method, std::size_t number) {
   return found != known.end() ? found->second : others[number % others.size()];
 }
 
-//! Errors below these values are negligible and are drawn at them.
+//! Errors below these limits [px, %] are negligible and are drawn at the limit.
 constexpr double min_px = 1e-4;
 constexpr double min_percent = 1e-3;
 

@@ -71,7 +71,8 @@ constexpr NamedError pixel_errors[] = {
 
 //! Axes with at most this many choices get one sentence per choice.
 constexpr std::size_t few_choices = 5;
-//! The same limit for axes without a base method (AccuracyAxis::base).
+//! Axes without a base method (AccuracyAxis::base) get one sentence per choice if they have at most
+//! this many choices.
 constexpr std::size_t few_without_base = 9;
 
 //! Returns what the errors in `pixel_errors` cost, with the cheapest choice within each: "errors up

@@ -61,7 +61,7 @@ void run_live(const CalibrateOptions& options) {
 
 //! The files of a projector, computed but not yet written.
 struct ComputedProjector {
-  std::string name;  //!< prefix of its file names
+  std::string name;  //!< prefix of the names of the projector's files
   std::string mesh;
   std::string mask;
 };

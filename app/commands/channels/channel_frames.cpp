@@ -59,7 +59,8 @@ class ChannelWriter {
     }
   }
 
-  //! Writes a frame. With --resume, keeps a complete file of the same request and returns true.
+  //! Writes a frame and returns false. With --resume, if a complete file of the same request
+  //! exists, keeps it and returns true.
   bool write(int frame) {
     const fs::path path = path_of(frame);
     if (options_.resume && is_there(path, frame)) {

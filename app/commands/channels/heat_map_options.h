@@ -28,8 +28,8 @@ ViewMode view_mode(const std::string& name);
 //! malformed text, for the view `sky`, and for a MIN of 0 or less with a logarithmic scale.
 std::optional<ViewRange> view_range(const std::string& text, ViewMode mode, bool logarithmic_steps);
 
-//! Returns the method with this name of --method; nothing if the name is empty. Otherwise throws
-//! UsageError unless the view is a heat map of steps or errors, and if the show's stereo has a
+//! Returns the method with this name of --method; nothing if the name is empty. Throws UsageError
+//! if there is a name but the view is not a heat map of steps or errors, or the show's stereo has a
 //! camera for each pixel.
 std::optional<TraceMethod> follow_method(const std::string& name, const std::string& view, const Show& show);
 

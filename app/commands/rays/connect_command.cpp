@@ -60,8 +60,8 @@ std::vector<Answer> connect_in_closed_form(const std::vector<PairRow>& rows) {
 }
 
 //! Returns the settings of the table for one observer, whose rows have the indices `of_observer`.
-//! It covers the range of radii of Müller, Schulz & Weiskopf, extended to the radii of these rows.
-//! Throws Error for a radius above farthest_of_table.
+//! The table covers the range of radii of Müller, Schulz & Weiskopf, extended to the radii of these
+//! rows. Throws Error for a radius above farthest_of_table.
 ConnectionTableSettings table_settings(const std::vector<PairRow>& rows, const std::vector<std::size_t>& of_observer,
                                        const ConnectOptions& options) {
   ConnectionTableSettings settings;

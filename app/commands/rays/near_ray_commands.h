@@ -20,8 +20,8 @@ struct NearRayOptions {
   bool plunging = false;
   std::optional<double> shell_r;
   std::string objects;  //!< a show whose objects are hit; empty: none
-  ShowSettings set;     //!< keys of that show changed by --set
-  double time_s = 0.0;  //!< time in that show
+  ShowSettings set;     //!< keys of the show in `objects` changed by --set
+  double time_s = 0.0;  //!< time in the show in `objects` [s]
 };
 
 //! Input and output tables of `trace`.

@@ -106,8 +106,8 @@ class FrameFiles : public Output {
   std::optional<ProjectorFrames> projectors_;
   CreatedFiles made_;
   int frame_ = 0;
-  int exposed_ = -1;           //!< the frame after the last one wished for; needs no stops from files
-  std::string followed_from_;  //!< stops of the frame before, as stored in files
+  int exposed_ = -1;           //!< frame after the last one of wish(); its exposure needs no stops from files
+  std::string followed_from_;  //!< exposure stops of the previous frame, as the text in its file
   std::uintmax_t bytes_ = 0;
   //! Folders already cleared of files that killed programs left.
   std::set<std::filesystem::path> cleared_;

@@ -40,14 +40,14 @@ std::uintmax_t uncompressed_bytes(const FrameFormat& format, std::uintmax_t pixe
 
 //! A frame and its cost.
 struct MeasuredFrame {
-  int frame = 0;  //!< from 0
+  int frame = 0;  //!< number of the measured frame, from 0
   RunFrameCost cost;
 };
 
 //! Measures a frame, counted from 0: renders it, writes its files into a temporary folder, and
 //! removes them. Before it, measures the previous frame, if there is one, because the first frame
-//! rendered also prepares data that all frames share; if that takes at least `slow_s`, returns its
-//! cost instead. Throws Error if files cannot be written.
+//! rendered also prepares data that all frames share; if the previous frame takes at least
+//! `slow_s`, returns its cost instead. Throws Error if files cannot be written.
 MeasuredFrame measured_frame(ShowRenderer& renderer, const ViewChoice& choice, const FrameFormat& format, int frame,
                              double slow_s = slow_frame_s);
 

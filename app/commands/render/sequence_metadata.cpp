@@ -21,7 +21,7 @@ namespace {
 using Metadata = nlohmann::ordered_json;
 
 //! Returns the number of the show with the key `path`: `unchanging` if it is not animated,
-//! otherwise its first, last, least and greatest values in these frames.
+//! otherwise its first, last, minimum and maximum values in `frames`.
 Metadata number_in(const Show& show, const char* path, double unchanging, FrameSpan frames) {
   const Animation* const animation = find_animation(show, path);
   if (animation == nullptr) {
@@ -38,9 +38,9 @@ Metadata number_in(const Show& show, const char* path, double unchanging, FrameS
       {"first", value_in(frames.first)}, {"last", value_in(frames.last)}, {"least", minimum}, {"greatest", maximum}};
 }
 
-//! Returns the baseline in these frames [M], reduced where the show's does not fit. It is only
-//! reduced in stereo models other than `physical`. In those, it is evaluated in at most a few
-//! hundred frames, because each evaluation may take as long as a lens.
+//! Returns the baseline in `frames` [M], reduced where the show's does not fit. The baseline is
+//! reduced only in stereo models other than `physical`. In these models, it is evaluated in at most
+//! a few hundred frames, because each evaluation may take as long as a lens.
 Metadata baselines_in(const Show& show, FrameSpan frames) {
   if (fits_everywhere(show.stereo.model)) {
     return number_in(show, "stereo.baseline", show.stereo.baseline, frames);

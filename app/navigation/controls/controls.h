@@ -45,9 +45,9 @@ class Controls {
   [[nodiscard]] std::vector<KeyAction> pressed(int key, const std::set<int>& held_keys) const;
   //! Returns the actions of the controller buttons pressed between two states.
   [[nodiscard]] std::vector<KeyAction> pressed(const PadState& before, const PadState& now) const;
-  //! Return the actions of a mouse button, counted from 0, and of a motion of the wheel, up if
-  //! positive: the bound action once for each whole step, at most 20 times. Fractions of a step are
-  //! dropped.
+  //! mouse_pressed() returns the actions of a mouse button, counted from 0. wheel_turned() returns
+  //! the actions of a motion of the wheel, up if `steps` is positive: the bound action once for
+  //! each whole step, at most 20 times. Fractions of a step are dropped.
   [[nodiscard]] std::vector<KeyAction> mouse_pressed(int button) const;
   [[nodiscard]] std::vector<KeyAction> wheel_turned(double steps) const;
 

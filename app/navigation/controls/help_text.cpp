@@ -106,7 +106,7 @@ class HelpLines {
  public:
   explicit HelpLines(const HelpChoice& choice) : choice_(choice) {}
 
-  //! Starts the lines of a subject.
+  //! Starts a subject, to which the lines that are added next belong.
   void begin_group(const char* english, const char* german) {
     groups_.push_back({choice_.language == "de" ? german : english, {}});
   }

@@ -11,7 +11,7 @@ namespace ergodome {
 //! fit_list(); or lines of words for any font, with only the controller's inputs if there is one.
 enum class HelpForm { columns, cells, words };
 
-//! Contents of the help.
+//! Choices that determine the contents of the help.
 struct HelpChoice {
   bool pads = true;                           //!< includes a column for controllers
   ActionUser reader = ActionUser::presenter;  //!< visitors see only their own actions

@@ -168,7 +168,7 @@ std::vector<std::optional<PadButton>> generic_buttons(const HidLayout& hid, std:
   const std::vector<std::optional<PadButton>> by_logitech = {
       west,   south, east,       north,       left_shoulder, right_shoulder, left_trigger, right_trigger,
       select, start, left_stick, right_stick, guide,         touch,          capture};
-  // Order of the decoder of 3D mice.
+  // Order in which the decoder of 3D mice (space_mouse.cpp) numbers the buttons.
   const std::vector<std::optional<PadButton>> by_puck = {south,         east,           west,   north,
                                                          left_shoulder, right_shoulder, select, start};
   std::vector<std::optional<PadButton>> found = by_logitech;

@@ -8,8 +8,9 @@
 
 namespace ergodome {
 
-//! Return whether any application collection of a HID device, or this usage, is a joystick (usage
-//! 1:4), a game pad (1:5) or a multi-axis controller (1:8).
+//! has_pad() returns whether any application collection of a HID device is a joystick (usage 1:4),
+//! a game pad (1:5) or a multi-axis controller (1:8); is_pad_usage() returns whether a usage is one
+//! of these.
 bool has_pad(const HidLayout& hid);
 bool is_pad_usage(const HidUsage& usage);
 

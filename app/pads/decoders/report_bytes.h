@@ -12,7 +12,8 @@ namespace ergodome {
 // Helpers with which decoders read the bytes of reports.
 using ReportBytes = std::span<const std::uint8_t>;
 
-//! Read 16 bits, low byte first. The caller checks the size.
+//! u16_at() and i16_at() read 16 bits at byte `at`, low byte first, without or with sign. The
+//! caller checks the size.
 inline std::uint16_t u16_at(ReportBytes report, std::size_t at) {
   return static_cast<std::uint16_t>(report[at] | (report[at + 1] << 8U));
 }

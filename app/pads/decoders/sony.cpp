@@ -96,7 +96,7 @@ class DualShock4 : public SonyPad {
       return PadReport::refused;
     }
     if ((report[1] & 0x80) == 0) {
-      return PadReport::other;  // sound only
+      return PadReport::other;  // the report contains only sound
     }
     note_stream();
     return take(report.subspan(3), pad);
@@ -153,7 +153,7 @@ class DualSense : public SonyPad {
     press_bits(pad, data[9],
                {{0x01, PadButton::guide},
                 {0x02, PadButton::touch},
-                {0x04, PadButton::capture},  // mutes the microphone
+                {0x04, PadButton::capture},  // the button that mutes the microphone
                 {0x10, PadButton::paddle_3},
                 {0x20, PadButton::paddle_4},
                 {0x40, PadButton::paddle_1},

@@ -226,7 +226,7 @@ class SwitchPro : public PadDecoder {
   HidBus bus_;
   RawLayout layout_;
   bool streams_ = false;
-  //! A user's calibration was read, which has priority over the factory's.
+  //! True if the user's calibration of a stick was read, which has priority over the factory's.
   bool user_left_ = false;
   bool user_right_ = false;
 };

@@ -31,7 +31,7 @@ class XboxBluetooth : public PadDecoder {
       return PadReport::state;
     }
     if (report.size() == 2 && report[0] == 0x04) {
-      return PadReport::other;  // battery
+      return PadReport::other;  // battery level
     }
     if (report.empty() || report[0] != 0x01) {
       return PadReport::refused;

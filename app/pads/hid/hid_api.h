@@ -25,7 +25,7 @@ struct HidDeviceInfo {
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
   std::string name;
-  std::string serial;  //!< empty if there is none
+  std::string serial;  //!< serial number; empty if there is none
   HidBus bus = HidBus::other;
   //! Usages of the device's collections; empty if the system does not report them.
   std::vector<HidUsage> usages;

@@ -47,7 +47,8 @@ constexpr unsigned is_relative = 0x04;
 struct UsageRange {
   std::uint32_t first = 0;  //!< usage: page in the upper 16 bits, number in the lower
   std::uint32_t last = 0;
-  //! The descriptor gives page and number together; pages that it sets later do not apply.
+  //! True if the descriptor gives page and number together; pages that it sets later then do not
+  //! apply.
   bool has_own_page = false;
 };
 

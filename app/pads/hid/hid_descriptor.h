@@ -28,7 +28,7 @@ struct HidLayout {
   std::vector<HidUsage> applications;  //!< kinds of the device, one per application collection
   //! Variables with a usage, arrays with a range of usages; no constants.
   std::vector<HidField> fields;
-  //! Length of each input report without the id.
+  //! Length of each input report without the id [bits], by report id.
   std::map<std::uint8_t, std::uint32_t> report_bits;
 };
 

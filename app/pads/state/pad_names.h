@@ -13,11 +13,12 @@ namespace ergodome {
 std::string_view name_of(PadAxis axis);
 std::string_view name_of(PadButton button);
 
-//! Return the axis or button with a name; nothing if there is none.
+//! pad_axis_named() and pad_button_named() return the axis or button with a name; nothing if there
+//! is none.
 std::optional<PadAxis> pad_axis_named(std::string_view name);
 std::optional<PadButton> pad_button_named(std::string_view name);
 
-//! Return all names, for messages that suggest one.
+//! pad_axis_names() and pad_button_names() return all names, for messages that suggest one.
 std::vector<std::string> pad_axis_names();
 std::vector<std::string> pad_button_names();
 

@@ -74,7 +74,7 @@ struct RawAxis {
   std::int32_t minimum = 0;
   std::int32_t centre = 0;  //!< rest position; for triggers, the same as `minimum`
   std::int32_t maximum = 0;
-  std::optional<PadAxis> axis;  //!< nothing: controls nothing by default
+  std::optional<PadAxis> axis;  //!< axis that it controls by default; nothing: none
   bool inverted = false;        //!< the raw value decreases as the axis increases
 };
 

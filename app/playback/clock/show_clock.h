@@ -102,7 +102,7 @@ class ShowClock {
   std::int64_t speed_ = std::int64_t{1} << 32U;  //!< speed in units of 2^-32
   MonotonicTime anchored_at_{};
   Fixed position_ = 0;     //!< position at anchored_at_, within the show
-  std::int64_t pass_ = 0;  //!< pass at anchored_at_
+  std::int64_t pass_ = 0;  //!< number of the pass through the show at anchored_at_
   long jumps_ = 0;
 
   long dropped_frames_ = 0;

@@ -10,7 +10,7 @@
 namespace ergodome {
 
 //! MPEG audio of layers I to III. Its length is counted frame by frame when it is opened: many
-//! files do not contain it, and libsndfile estimates it from the first frame's bit rate.
+//! files do not contain their length, and libsndfile estimates it from the first frame's bit rate.
 class Mp3File {
  public:
   //! Opens a file. Returns nullptr if it is not MPEG audio.

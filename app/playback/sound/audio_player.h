@@ -56,7 +56,7 @@ class AudioPlayer {
   std::string problem_;
   std::string state_ = "no sound yet";
 
-  // Used only by the thread.
+  // The following members are used only by the thread.
   Soundtrack soundtrack_;
   std::unique_ptr<AudioOutput> output_;
   std::unique_ptr<AudioMixer> mixer_;

@@ -15,14 +15,14 @@ namespace {
 //! Mean offsets of the sound above this are corrected by a restart, smaller ones by playing
 //! slightly faster or slower.
 constexpr double steerable_s = 0.04;
-//! Takes the place of `steerable_s` after a start, until the sound is measured to be in sync.
+//! Used instead of `steerable_s` after a start, until the sound is measured to be in sync.
 constexpr double tolerable_s = 0.01;
 //! An offset above this cannot be jitter of the measurement: even a single one causes a restart.
 constexpr double lost_s = 0.15;
 constexpr double steering_s = 1.0;
 constexpr double max_steering = 0.01;
 //! Minimum time from a start to a restart, so that a machine that cannot keep up does not restart
-//! all the time. A fifth of it if the sound was not in sync since the start.
+//! all the time. A fifth of this time is enough if the sound has not been in sync since the start.
 constexpr auto rest = std::chrono::milliseconds(500);
 constexpr std::size_t first_buffers = 3;
 

@@ -28,7 +28,7 @@ class DomeOutput : public WindowOutput {
   [[nodiscard]] bool closed() const override { return WindowOutput::closed() || projectors_.closed(); }
   [[nodiscard]] bool is_dome() const override { return true; }
   [[nodiscard]] std::vector<WindowEvent> events() override;
-  //! Also writes FILE_PROJECTOR for each projector.
+  //! Writes a screenshot of the control window to `file`, and FILE_PROJECTOR for each projector.
   void save_screenshot(const std::string& file) override;
 
  private:

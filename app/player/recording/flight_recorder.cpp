@@ -115,8 +115,8 @@ std::vector<FallMoment> moments_of(std::span<const FlightSample> samples, double
   return moments;
 }
 
-//! Returns marks of samples outside the horizon. They have no velocities if all samples have the
-//! scene's observer.
+//! Returns marks of samples outside the horizon. The marks have no velocities if all samples have
+//! the scene's observer.
 std::vector<PathMark> marks_of(std::span<const FlightSample> samples, double first_s) {
   const bool as_observer = std::ranges::all_of(samples, &FlightSample::as_observer);
   std::vector<PathMark> marks;

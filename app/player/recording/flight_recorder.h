@@ -19,8 +19,8 @@ struct FallingNote {
 //! One moment of a flight.
 struct FlightSample {
   double time_s;
-  CameraPose pose;      //!< with the observer's velocity
-  Spacetime spacetime;  //!< at that time
+  CameraPose pose;      //!< pose with the observer's velocity
+  Spacetime spacetime;  //!< spacetime at the time of the sample
   bool as_observer;     //!< whether the observer moves as the scene's observer does
   //! Present if the observer is infalling; the pose then has a velocity in the rain frame.
   std::optional<FallingNote> falling;
@@ -54,9 +54,9 @@ class FlightRecorder {
   //! Returns whether the recording has ended, by leaving a fall through the horizon or by end().
   [[nodiscard]] bool ended() const { return ended_; }
 
-  //! Returns the flight with few camera keys (min_keys()): camera_pose() of them is within the
-  //! tolerance of every sample. The first is at 0 s. They have velocities unless all samples have
-  //! the scene's observer.
+  //! Returns the flight with few camera keys (min_keys()): camera_pose() of these keys is within
+  //! the tolerance of every sample. The first key is at 0 s. The keys have velocities unless all
+  //! samples have the scene's observer.
   //!
   //! If the camera fell through the horizon, the keys control its position only up to the beginning
   //! of that fall, and afterwards only its orientation. The path ends before the first sample
@@ -68,8 +68,8 @@ class FlightRecorder {
   bool ended_ = false;
 };
 
-//! Returns a show of a scene that follows a recorded path. Its file names are valid from other
-//! folders.
+//! Returns a show of a scene that follows a recorded path. The file names in this show are valid
+//! from other folders.
 Show recorded_show(const Show& scene, RecordedPath path, const std::string& title);
 
 }  // namespace ergodome

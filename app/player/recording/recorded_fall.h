@@ -28,9 +28,10 @@ struct RecordedFall {
 //! and Carter constant are equal within 1e-6, and proper time does not decrease.
 bool falls_on(Spacetime spacetime, const FallMoment& before, const FallMoment& after);
 
-//! Returns the fall through the given moments of one orbit. It begins at the first moment; if the
-//! camera is too close to the horizon or inside it there, at a point of the orbit farther out,
-//! between `before_s` and the first moment. Returns nothing if there is no such point.
+//! Returns the fall through the given moments of one orbit. The fall begins at the first moment. If
+//! the camera is then too close to the horizon or inside it, the fall begins earlier, farther out
+//! on the orbit, at a time between `before_s` and the first moment. Returns nothing if there is no
+//! such point.
 std::optional<RecordedFall> recorded_fall(Spacetime spacetime, std::span<const FallMoment> moments, double before_s);
 
 //! Puts the fall into the show's camera, whose keys lead up to its start. The show must already

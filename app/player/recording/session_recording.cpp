@@ -40,7 +40,7 @@ bool SessionRecording::note(double now_s, const PlayerFrame& frame, const Naviga
   if (const std::optional<double> proper_time = proper_time_of_fall(frame, navigator, show)) {
     falling = {*proper_time, beyond_return};
   } else if (beyond_return) {
-    return false;  // keys cannot lead there
+    return false;  // camera keys cannot lead that close to the hole
   }
   const ObserverView& seen = frame.observer;
   const bool as_observer =

@@ -58,9 +58,9 @@ class PictureFlow {
   //! Takes a finished picture and requests the next one; call it for every frame of the window. The
   //! size in `wish` is chosen here.
   //!
-  //! `changed`: the request differs from the last. `moving`: it will change again at once, so
-  //! nothing is refined. After a `hang`, the request's renderer is lost and must be rebuilt before
-  //! the next call; the last good picture stays on the screen.
+  //! `changed`: the request differs from the last. `moving`: the request will change again at once,
+  //! so nothing is refined. After a `hang`, the request's renderer is lost and must be rebuilt
+  //! before the next call; the last good picture stays on the screen.
   PictureNews advance(const PictureRequest& wish, bool changed, bool moving);
 
   [[nodiscard]] const PictureReport& report() const { return report_; }

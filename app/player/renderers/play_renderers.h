@@ -21,7 +21,7 @@ struct RendererWish {
 };
 
 //! Returns a function that makes a show's renderer with the stream of its trajectory, and posts
-//! notes about both. It throws Error if the renderer cannot be made.
+//! notes about both. That function throws Error if the renderer cannot be made.
 RendererLoader::Make renderer_maker(const RendererWish& wish);
 
 //! Wraps `make`: for the first request of the show with this name, returns `first`, which already

@@ -40,7 +40,7 @@ class RendererLoader {
   [[nodiscard]] std::optional<Loaded> take();
 
   [[nodiscard]] bool busy() const { return work_.valid() || next_.has_value(); }
-  //! Returns whether the next result of take() is another version of a show.
+  //! Returns whether the next result of take() is a new version of the running show.
   [[nodiscard]] bool loads_version() const { return next_ ? next_->version : work_.valid() && version_; }
 
  private:
@@ -48,7 +48,7 @@ class RendererLoader {
 
   Make make_;
   std::future<Loaded> work_;
-  bool version_ = false;  //!< the current load is a version
+  bool version_ = false;  //!< the current load is a new version of the running show
   std::optional<Order> next_;
 };
 

@@ -33,9 +33,9 @@ class SceneRenderers {
   //! another version is being loaded.
   void lose(const Show& show);
 
-  //! Takes the renderer that was loaded for `show`, or for another version of it. Called once per
-  //! frame. Reports whether another renderer is in use, or why there is none. Discards renderers
-  //! that other scenes have for an older version.
+  //! Result of advance(), which takes the renderer that was loaded for `show`, or for another
+  //! version of it: whether another renderer is in use, or why there is none. advance() is called
+  //! once per frame and discards renderers that other scenes have for an older version.
   struct News {
     bool another = false;
     std::string problem;

@@ -24,7 +24,8 @@ class StopSignal {
   //! Waits until a socket has one of poll's `events` (or an error), the signal is raised, or the
   //! deadline has passed.
   [[nodiscard]] Wake wait(int socket, short events, std::chrono::steady_clock::time_point deadline) const;
-  //! Waits in the same way for any of several sockets.
+  //! Waits until one of several sockets has one of its `events` (or an error), the signal is
+  //! raised, or the deadline has passed.
   [[nodiscard]] Wake wait(std::vector<pollfd> sockets, std::chrono::steady_clock::time_point deadline) const;
   //! Waits for the signal or the deadline; returns whether the signal was raised.
   [[nodiscard]] bool sleep_until(std::chrono::steady_clock::time_point deadline) const;

@@ -82,7 +82,7 @@ class OscHandler {
   CommandQueue& commands_;
   const StatusBoard& board_;
   OscListeners listeners_;
-  std::vector<Waiting> waiting_;  // in order of time
+  std::vector<Waiting> waiting_;  // in order of the times at which they are due
   OscSubscribers subscribers_;
   std::chrono::steady_clock::time_point next_feedback_;
   RateLimit complaints_{10.0, 10.0};

@@ -62,7 +62,7 @@ class HttpStream : public httplib::Stream {
   NetAddress peer_;
   const StopSignal& stop_;
   std::string buffer_;        // received bytes
-  std::size_t position_ = 0;  // position of httplib in it
+  std::size_t position_ = 0;  // position in buffer_ up to which httplib has read
   Instant body_deadline_;
   bool has_body_ = false;
 };

@@ -25,9 +25,9 @@ enum class WebVerdict {
   welcome,
   //! The URL's token is valid: it is moved to a cookie, so that it disappears from the address bar.
   welcome_by_url,
-  no_token,    //!< 401
+  no_token,    //!< 401: no valid token
   wrong_site,  //!< 403: sent by a page of another site, or for an unknown host name
-  wrong_type   //!< 415
+  wrong_type   //!< 415: the request changes something, but its content is not JSON
 };
 
 //! Decides who may see and use the status page.

@@ -19,8 +19,8 @@ class WebLobby {
   using Instant = std::chrono::steady_clock::time_point;
 
   static constexpr std::size_t max_waiting = 64;
-  //! Time limit for requests from other machines, and for those from this machine, which may take
-  //! as long as an idle connection.
+  //! Time limit for requests from other machines (`outside_time`), and for requests from this
+  //! machine (`loopback_time`), which may take as long as an idle connection.
   static constexpr std::chrono::milliseconds outside_time{1000};
   static constexpr std::chrono::milliseconds loopback_time{5000};
   //! Delay of the answer to a request without the token, which limits guesses.

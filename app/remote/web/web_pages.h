@@ -19,7 +19,8 @@ namespace ergodome {
 //! caller supplies connections.
 class WebPages : private httplib::Server {
  public:
-  //! Maximum number of event streams to clients on this machine, and of those to all others.
+  //! Maximum number of event streams to clients on this machine; the same maximum applies to all
+  //! other clients together.
   static constexpr int max_event_streams = 12;
   static constexpr std::chrono::milliseconds event_interval{100};
 
