@@ -224,7 +224,7 @@ void cuda_projector(benchmark::State& state) {
   const auto light = [&] { projectors.show_in_place(masters.picture()); };
   for (int i = 0; i < 3; ++i) {
     masters.next();
-    light();  // computes the warp
+    light();  // the first call computes the warp
     projectors.draw_in_place();
   }
   double sums[2] = {};

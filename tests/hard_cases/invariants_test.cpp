@@ -25,7 +25,7 @@ struct Found {
   //! Description of the last lost ray, except around nearly extremal holes.
   std::string lost_at;
   double worst = 0.0;  //!< largest error of a first integral
-  std::string at;      //!< description of the ray with that error
+  std::string at;      //!< description of the ray with the largest error
 };
 
 std::string words_with(const CameraState& camera_state, const Vector3<double>& n) {

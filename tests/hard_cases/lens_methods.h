@@ -13,8 +13,8 @@ struct SeenSky {
   std::vector<double> status;
 };
 
-//! Traces each ray in double, or in float. The directions are the same, except that they are
-//! rounded to float.
+//! by_rays() traces each ray in double, by_float_rays() in float. The directions are the same,
+//! except that they are rounded to float in the second case.
 SeenSky by_rays(const CameraState& camera_state, const Directions& rays, TraceMethod method, double tolerance);
 SeenSky by_float_rays(const CameraState& camera_state, const Directions& rays, TraceMethod method, double tolerance);
 

@@ -31,8 +31,9 @@ Directions about_principal_rays(const CameraStation& camera);
 //! within 1e-12 ... 1e-3 rad of them.
 Directions without_angular_momentum(const CameraStation& camera);
 
-//! Returns directions of light that comes from a pole of the sky (or from the meridian φ = ±π), as
-//! exactly as double resolves, and directions near them.
+//! towards_sky_poles() returns directions of light that comes from a pole of the sky,
+//! towards_sky_seam() from the meridian φ = ±π, as exactly as double resolves, and directions near
+//! them.
 Directions towards_sky_poles(const CameraStation& camera);
 Directions towards_sky_seam(const CameraStation& camera);
 

@@ -47,7 +47,7 @@ struct ReferenceCrossing {
 };
 
 const std::vector<ReferenceRay>& reference_rays();
-//! Returns the rows of tests/data/within_horizon.csv. Of the results, it contains only the sky
+//! Returns the rows of tests/data/within_horizon.csv. As results, this table contains only the sky
 //! direction and g.
 const std::vector<ReferenceRay>& reference_rays_within();
 const std::vector<ReferenceEdgePoint>& reference_edge();

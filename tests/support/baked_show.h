@@ -21,8 +21,8 @@ inline Show approaching_show() {
       "show.toml");
 }
 
-//! Returns a similar show with a disk that starts at the innermost stable orbit. The camera is
-//! outside the disk.
+//! Returns a show with a disk that starts at the innermost stable orbit, for small pictures. The
+//! camera goes from r = 30 to 22 in ten seconds, outside the disk.
 inline Show show_with_disk(bool clouds = false) {
   Show show = parse_show(
       "duration_s = 10\n[hole]\nspin = 0.9\n[camera]\n[[camera.key]]\nt_s = 0\nr = 30\ntheta_deg = 70\n"

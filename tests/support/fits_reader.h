@@ -26,7 +26,7 @@ class FitsReader {
     return count;
   }
 
-  //! Goes to the primary header, or to the extension with the given name.
+  //! go_to_primary() goes to the primary header, go_to() to the extension with the given name.
   void go_to_primary() { check(fits_movabs_hdu(file_, 1, nullptr, &status_)); }
   void go_to(const std::string& name) {
     check(fits_movnam_hdu(file_, IMAGE_HDU, const_cast<char*>(name.c_str()), 0, &status_));

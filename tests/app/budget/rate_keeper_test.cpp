@@ -77,7 +77,7 @@ SimulatedShow show_on(double first_ms, std::size_t first) {
 }
 
 TEST(RateKeeper, StaysWhereFramesAreInTime) {
-  SimulatedShow show = show_on(85.0, 4);  // 20 ms of 33
+  SimulatedShow show = show_on(85.0, 4);  // each frame takes 20 of the allowed 33 ms
   show.play(3000);
   EXPECT_EQ(show.keeper.changes(), 0);
   EXPECT_NEAR(show.record.rate_hz(), 30.0, 0.05 * 30.0);
@@ -154,7 +154,7 @@ TEST(RateKeeper, StaysOnTheLastRungOfAMachineThatIsTooSlow) {
 }
 
 TEST(RateKeeper, GivesNothingUpForAWindowThatIsSlowByItself) {
-  SimulatedShow show = show_on(16.0, 2);  // 8 ms of 33
+  SimulatedShow show = show_on(16.0, 2);  // each frame takes 8 of the allowed 33 ms
   show.poll_ms = 40.0;
   show.play(1000);
   EXPECT_EQ(show.keeper.rung(), 0U);

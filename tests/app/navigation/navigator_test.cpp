@@ -20,7 +20,7 @@ TEST(FlightSpace, GuardsAreOutsideTheHorizonAndOutsideEveryOrbitOfLight) {
   EXPECT_NEAR(guard_radius(Spacetime{0.0}, settings), 2.02, 1e-12);
   settings.guard = FlightGuard::photon_orbit;
   EXPECT_NEAR(guard_radius(Spacetime{1.0}, settings), 4.04, 1e-12);   // retrograde light orbits at 4
-  EXPECT_NEAR(guard_radius(Spacetime{-1.0}, settings), 4.04, 1e-12);  // for both senses of rotation
+  EXPECT_NEAR(guard_radius(Spacetime{-1.0}, settings), 4.04, 1e-12);  // and if the hole rotates oppositely
   settings.least_r = 7.0;
   EXPECT_EQ(guard_radius(Spacetime{0.0}, settings), 7.0);
 }
@@ -146,7 +146,7 @@ TEST(Navigator, AMouseTurnsTheViewByTheAngleItWasMoved) {
   flier.navigator.advance(frame_s, drag, flier.path);
   flier.hold({}, 4.0);
   EXPECT_NEAR(angle_between(before, placement_of(flier.navigator.pose()).view), 0.3, 1e-3);
-  EXPECT_GT(glm::dot(looks_at(flier.navigator), before * glm::dvec3(1.0, 0.0, 0.0)), 0.2);  // to the right
+  EXPECT_GT(glm::dot(looks_at(flier.navigator), before * glm::dvec3(1.0, 0.0, 0.0)), 0.2);  // looks to the right
 }
 
 TEST(Navigator, StaysOutsideAHoleWhoseHorizonGrows) {

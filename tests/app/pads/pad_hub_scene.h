@@ -58,7 +58,7 @@ class PadHubTest : public testing::Test {
     hub_ = std::make_unique<PadHub>(std::move(player), std::move(settings), [this] { return now_s_; });
   }
 
-  //! Polls every frame until a time [s] and returns the snapshot of the last one.
+  //! Polls the hub once per frame until the time `t_s`, and then returns a snapshot.
   PadSnapshot frame_at(double t_s) {
     for (; now_s_ + frame_s < t_s; now_s_ += frame_s) {
       hub_->poll();

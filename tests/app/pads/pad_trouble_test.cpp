@@ -141,7 +141,7 @@ TEST_F(PadHubTest, APuckWhoseZerosAreLostIsLetGoSoon) {
 
 TEST_F(PadHubTest, AReceiverWithoutItsPadIsAtRest) {
   std::string absent = ds4(255);
-  absent[63] = '4';  // Byte 31.
+  absent[63] = '4';  // The 4 in byte 31 means that the receiver has no controller.
   play("[[device]]\nvid = \"054c\"\npid = \"0ba0\"\nusage = \"1:5\"\n" + report_at(0, ds4(255)) +
        report_at(100, absent));
   EXPECT_EQ(frame_at(0.09).merged().axis(PadAxis::left_x), 1.0F);

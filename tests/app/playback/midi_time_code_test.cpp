@@ -106,7 +106,7 @@ TEST(MidiTimeCode, ALostQuarterIsNotGuessedOver) {
 
 TEST(MidiTimeCode, AFullFrameMessagePutsItSomewhere) {
   MidiTimeCodeReader reader;
-  const Bytes message = {0xF0, 0x7F, 0x7F, 0x01, 0x01, 0x21, 0x02, 0x03, 0x04, 0xF7};  // 01:02:03:04 at 25
+  const Bytes message = {0xF0, 0x7F, 0x7F, 0x01, 0x01, 0x21, 0x02, 0x03, 0x04, 0xF7};  // 01:02:03:04 at 25 frames/s
   EXPECT_THAT(reader.read(message), testing::ElementsAre(Reading{4 * (3723 * 25 + 4), CodeRate::fps25, 0}));
 }
 
@@ -229,7 +229,7 @@ TEST(MidiTimeCode, AJumpWithoutAWordBeforeIsFollowedFromItsSecondCodeOn) {
 
 TEST(MidiTimeCode, AFirstCodeAfterAStopIsCheckedAgainstTheLastPlace) {
   MidiTimeCodeReader reader;
-  reader.read(Bytes{0xF0, 0x7F, 0x7F, 0x01, 0x01, 0x20, 0x3B, 0x3B, 0x18, 0xF7});  // 00:59:59:24 at 25
+  reader.read(Bytes{0xF0, 0x7F, 0x7F, 0x01, 0x01, 0x20, 0x3B, 0x3B, 0x18, 0xF7});  // 00:59:59:24 at 25 frames/s
   // The first quarter frames after the stop contain the hours of the following frame, 1, instead of
   // 0.
   EXPECT_TRUE(reader.read(code_forwards({1, 59, 59, 24, CodeRate::fps25})).empty());

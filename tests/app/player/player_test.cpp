@@ -62,7 +62,7 @@ class PlayerOutputs : public testing::Test {
     options.services.sound = false;
     options.services.log_on_terminal = false;
     options.load = [this](const std::string&) { return show_; };
-    options.for_seconds = 60.0;  // if no frame comes
+    options.for_seconds = 60.0;  // time limit, in case no frame comes
     const auto make = [](const Show& show) { return std::make_shared<ShowRenderer>(show, Backend::cpu); };
     Player(show_, make, std::make_unique<HeadlessOutput>(eyes, kept), options).run();
     return *kept;

@@ -19,7 +19,8 @@ struct Call {
   std::array<int, 3> streams{};
 };
 
-//! Returns a client or a listening socket for the abstract address `name`; -1 on failure.
+//! connect_to() returns a client socket, listen_as() a listening socket, for the abstract address
+//! `name`; -1 on failure.
 int connect_to(const std::string& name);
 int listen_as(const std::string& name);
 

@@ -101,7 +101,7 @@ struct DocumentedTable {
   const char* page;
   const char* heading;
   std::vector<std::string> tables;
-  std::vector<std::string_view> only{};  //!< names of the keys that it lists; empty: all
+  std::vector<std::string_view> only{};  //!< names of the keys that the table lists; empty: all
   //! The form of object (mesh file, triangle, sphere or disk) whose keys it lists; absent: any
   //! form.
   std::optional<ObjectForm> form{};

@@ -66,7 +66,7 @@ TEST_F(EnvironmentImageFile, FloatingPointIsLinear) {
 TEST_F(EnvironmentImageFile, AGifHasTheLightOfItsGrey) {
   const auto image =
       read_environment_image(write("grey.gif", 16, 8, 3, OIIO::TypeDesc::UINT8, constant(16, 8, 3, 100.0F / 255.0F)));
-  EXPECT_THAT(image.rgb, testing::Each(testing::FloatNear(0.1274F, 1e-3F)));  // sRGB 100
+  EXPECT_THAT(image.rgb, testing::Each(testing::FloatNear(0.1274F, 1e-3F)));  // the sRGB value 100 is 12.74 % light
 }
 
 TEST_F(EnvironmentImageFile, AnExrIsPutIntoItsDisplayWindow) {

@@ -71,7 +71,7 @@ file = "words.fr.ogg"
 language = "fr"
 )";
 
-//! Expects the timeline of the show text above.
+//! Expects the timeline that `whole_timeline` describes.
 void expect_whole(const Timeline& timeline) {
   ASSERT_EQ(timeline.animations.size(), 2U);
   EXPECT_EQ(timeline.animations[0].path, "hole.spin");

@@ -113,7 +113,7 @@ TEST(CrossingLayers, HaveDerivativesAsDifferencesHaveThem) {
       ASSERT_TRUE(trace_position(camera, edge, disk_polar_angle<double>(edge, gamma, s), gamma, exact));
       constexpr double h = 2e-5;
       const auto at = [&](double g, double v, int order, int part) {
-        // Computes the same direction without derivatives, for differences.
+        // Computes the direction at (g, v) without derivatives, for finite differences.
         M alpha = disk_polar_angle<double>(edge, g, v);
         Layers<M> layers;
         trace_position(camera, edge, alpha, g, layers);

@@ -78,8 +78,8 @@ TEST(CrossingsFromWithin, ShowADiskShiftedAsTheReferenceSays) {
   }
 }
 
-//! Finds the same point among the crossings of any order in the layers of a disk grid, which also
-//! contain crossings inside the horizon.
+//! Finds the point outside the horizon where a ray crosses the disk's plane, among the crossings of
+//! any order in the layers of a disk grid. These layers also contain crossings inside the horizon.
 std::optional<OuterPoint> layer_crossing(const ReferenceCrossing& row) {
   const double near_u = 1.0 / (horizon_radius(Spacetime{row.a}) + 1e-3);
   const LayerLimits<double> limits = {near_u, 1e-4, 10.0, -1.0, 1e-15, 4000};
@@ -127,8 +127,8 @@ TEST(CrossingsFromWithin, AreThoseOfShellsThroughThem) {
   }
 }
 
-//! Finds the same point on the paths that are used to search for objects: azimuth and delay where a
-//! path crosses the plane.
+//! Finds the point outside the horizon where a ray crosses the disk's plane, on the paths that are
+//! used to search for objects. Computes azimuth and delay where a path crosses the plane.
 std::optional<OuterPoint> path_crossing(const ReferenceCrossing& row) {
   std::optional<OuterPoint> found;
   int order = 0;

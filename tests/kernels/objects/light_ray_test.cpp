@@ -172,7 +172,7 @@ TEST(LightRay, SpreadsAboutAHoleThatSpinsAsBundlesFromTheLampDo) {
     for (const auto& [spin, order] : {std::pair{0.5, 1}, {-0.998, 1}, {0.9, 2}}) {
       const LightRay ray = spread_of(spin, at, order);
       if (std::abs(ray.direction.x) < 0.05) {
-        continue;  // It grazes the sphere on which the neighbors are intersected.
+        continue;  // The ray grazes the sphere on which the neighbors are intersected.
       }
       // Finds the direction in which the ray leaves the lamp: in time-reversed spacetime, it is the
       // direction in which an observer at the lamp sees light from the point.

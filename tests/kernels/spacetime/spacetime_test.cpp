@@ -11,7 +11,7 @@
 #include "tests/kernels/reference_tables.h"
 
 // Radii against the equations that they solve, and their values for holes without spin and of
-// greatest spin (Bardeen, Press & Teukolsky 1972, section II).
+// maximum spin (Bardeen, Press & Teukolsky 1972, section II).
 namespace ergodome {
 namespace {
 
@@ -55,7 +55,7 @@ TEST(Spacetime, PhotonOrbitsAreAtOneThreeAndFour) {
 }
 
 TEST(Spacetime, PhotonOrbitsSolveTheirEquation) {
-  // r^(3/2) - 3 r^(1/2) ± 2a = 0.
+  // Equation of photon orbits: r^(3/2) - 3 r^(1/2) ± 2a = 0.
   for (const double spin : spacetime_spins) {
     for (const double sign : {1.0, -1.0}) {
       const double x = std::sqrt(photon_orbit_radius(Spacetime{spin}, sign));
@@ -86,7 +86,7 @@ TEST(Spacetime, InnermostStableOrbitsAreThoseOfBardeenPressTeukolsky) {
 }
 
 TEST(Spacetime, InnermostStableOrbitsSolveTheirEquation) {
-  // r² - 6r ± 8a √r - 3a² = 0.
+  // Equation of innermost stable orbits: r² - 6r ± 8a √r - 3a² = 0.
   for (const double spin : spacetime_spins) {
     for (const double sign : {1.0, -1.0}) {
       const double r = innermost_stable_radius(Spacetime{spin}, sign);
@@ -103,7 +103,7 @@ TEST(Spacetime, StaticLimitTouchesTheHorizonOnTheAxis) {
 }
 
 TEST(Spacetime, TimeStandsStillForObserversAtRestAtTheStaticLimit) {
-  // g_tt = -(1 - 2r / Σ) = 0.
+  // Condition for the static limit: g_tt = -(1 - 2r / Σ) = 0.
   for (const double spin : spacetime_spins) {
     for (const double theta : {0.0, 0.4, 1.2, pi / 2, 2.5}) {
       const double r = static_limit_radius(Spacetime{spin}, theta);

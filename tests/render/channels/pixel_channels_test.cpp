@@ -80,8 +80,8 @@ TEST(PixelChannels, AgreeWithTheReferenceRays) {
   int magnified = 0;
   for (const ReferenceRay& ray : test::reference_rays()) {
     SCOPED_TRACE(testing::Message() << "ray " << ray.id << " " << ray.kind);
-    // Skips rays closer to the edge of the shadow, where the rounding of the view's axes changes
-    // the ray too much.
+    // Skips rays less than 1e-3 rad from the edge of the shadow, where the rounding of the view's
+    // axes changes the ray too much.
     if (std::abs(ray.edge_distance) < 1e-3 && ray.edge_distance != -1.0) {
       continue;
     }

@@ -48,7 +48,7 @@ class DeviceProjectors : public testing::Test {
 
 TEST_F(DeviceProjectors, ShowWhatTheProcessorDraws) {
   ProjectorPicture wide = grey_picture();
-  wide.width_px = 1280;  // its bytes are written as words
+  wide.width_px = 1280;  // a width at which bytes are written as whole words
   wide.height_px = 801;
   for (const ProjectorPicture& picture : {curved_picture(), grey_picture(), plain_picture(), wide}) {
     for (const int size : {1, 33, 64, 301, 1024}) {

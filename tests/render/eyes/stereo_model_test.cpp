@@ -30,7 +30,8 @@ double left_side(const Picture& picture, int row) {
   return sum;
 }
 
-//! Returns the same column, computed from the critical curve of a camera at the event of the eye.
+//! Returns the column of the left side of the shadow in a row [px], computed from the critical
+//! curve of a camera at the event of the eye.
 double left_side_of_curve(const EyeCamera& eye, const Projection& projection, int row) {
   const CameraStation camera = make_camera_station(eye.spacetime, eye.r, eye.theta, 0.0, eye.motion, eye.velocity);
   const ShadowChart chart = make_shadow_chart(camera);

@@ -28,7 +28,7 @@ namespace {
 
 using test::SeenFrame;
 
-//! Compares a frame with the reference of that name.
+//! Compares a frame with the reference frame `name`.
 void expect_like(const std::string& name, const SeenFrame& frame) {
   test::expect_like_reference(std::filesystem::path(ERGODOME_TEST_DATA_DIR) / "frames" / (name + ".png"), frame);
 }

@@ -72,7 +72,7 @@ TEST_F(Output, ToneMapKeepsDarkLightEncodesSrgbAndNeverClipsHard) {
   const auto bytes = tone_mapped(picture);
   EXPECT_EQ(bytes[0], 0);
   EXPECT_NEAR(bytes[1], 128, 1);
-  EXPECT_NEAR(bytes[2], 231, 1);  // sRGB of 0.8
+  EXPECT_NEAR(bytes[2], 231, 1);  // sRGB value of light 0.8
   EXPECT_LT(bytes[3], bytes[4]);
   EXPECT_EQ(bytes[5], 255);
   EXPECT_EQ(bytes[6], 0);

@@ -81,7 +81,7 @@ class TracedObjectPlans : public test::FolderTest {
   }
 };
 
-//! The same tests for objects drawn as polygons; skipped if OpenGL is not available.
+//! Tests of plans of shows whose objects are drawn as polygons; skipped if OpenGL is not available.
 class ObjectPlans : public TracedObjectPlans {
  protected:
   void SetUp() override {

@@ -70,12 +70,12 @@ TEST(HidDescriptor, CorrectsLimitsThatAFieldCannotHold) {
     std::int64_t maximum;
   };
   for (const Case& each : {Case{{0x15, 0x00, 0x25, 0xFF}, 8, 0, 255},                        // 255 in one signed byte
-                           Case{{0x15, 0x20, 0x27, 0xFF, 0xFF, 0x20, 0x20}, 16, 32, 65535},  // beyond the field
-                           Case{{0x15, 0x80, 0x26, 0xFF, 0x7F}, 8, -128, 127},               // the same, signed
+                           Case{{0x15, 0x20, 0x27, 0xFF, 0xFF, 0x20, 0x20}, 16, 32, 65535},  // maximum too large
+                           Case{{0x15, 0x80, 0x26, 0xFF, 0x7F}, 8, -128, 127},               // signed, also too large
                            Case{{0x26, 0xFF, 0x03, 0x15, 0x00}, 10, 0, 1023},
-                           Case{{0x16, 0xFF, 0x03, 0x25, 0x00}, 10, 0, 1023},  // swapped
-                           Case{{0x15, 0xFF, 0x25, 0x00}, 8, 0, 255},          // swapped, in one byte
-                           Case{{}, 12, 0, 4095}}) {                           // missing
+                           Case{{0x16, 0xFF, 0x03, 0x25, 0x00}, 10, 0, 1023},  // limits swapped
+                           Case{{0x15, 0xFF, 0x25, 0x00}, 8, 0, 255},          // limits swapped, in one byte
+                           Case{{}, 12, 0, 4095}}) {                           // limits missing
     const HidField field = axis_of(each.limits, each.bits);
     EXPECT_EQ(field.minimum, each.minimum) << int(each.bits);
     EXPECT_EQ(field.maximum, each.maximum) << int(each.bits);

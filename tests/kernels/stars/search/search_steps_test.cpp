@@ -23,7 +23,8 @@ TEST(PairResults, OfRegularPatchesAreDecided) {
 
 TEST(PairResults, OfBentPatchesAreDecidedByRootsJustOutside) {
   EXPECT_EQ(pair_result(PatchShape::bent, PatchSide::beside, true, 1.05F, 0.5F), PairResult::no_image);
-  // The star is in the patch, so its root is elsewhere.
+  // The star is inside the patch's border, but this root is outside the patch, so there must be
+  // another root.
   EXPECT_EQ(pair_result(PatchShape::bent, PatchSide::inside, true, 1.05F, 0.5F), PairResult::undecided);
   EXPECT_EQ(pair_result(PatchShape::bent, PatchSide::beside, true, 1.2F, 0.5F), PairResult::undecided);
   EXPECT_EQ(pair_result(PatchShape::bent, PatchSide::beside, false, 1.05F, 0.5F), PairResult::undecided);

@@ -119,7 +119,8 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<HardCamera>& each) { return "Camera" + std::to_string(each.index); });
 
 TEST(LensGrid, MirroredHalfIsTheWholeSky) {
-  // A camera slightly off the equator needs a whole grid. It sees nearly the same.
+  // A camera slightly off the equator needs a whole grid, but sees nearly the same as one on the
+  // equator.
   const GridCase half(0.9, 6.0, 0.5 * pi);
   const GridCase whole(0.9, 6.0, 0.5 * pi - 1e-7);
   ASSERT_TRUE(half.station.mirrored);

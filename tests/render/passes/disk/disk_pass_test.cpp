@@ -213,8 +213,9 @@ EyeCamera eye_at_horizon(double spin, double theta, double right_rad, double up_
   return eye;
 }
 
-// A linear footprint is wrong if a neighbor's light meets the plane inside the horizon: it would
-// extend to a region outside, where such light cannot come from, and cause bright single pixels.
+// A linear footprint is wrong if a neighbor's light meets the plane inside the horizon: the
+// footprint would extend to a region outside the horizon, where such light cannot come from, and
+// cause bright single pixels.
 TEST(DiskPass, HasNoSinglePixelsWhereItFallsIntoAFastHole) {
   constexpr double spin = 0.998;
   DiskSettings disk = uniform_disk(1.0005 * horizon_radius(Spacetime{spin}), 16.0);

@@ -114,7 +114,7 @@ TEST(FlatObjects, BetweenADiskAndAShellAreInTheOrderOfTheirDistance) {
 //! The difference between the pictures of eyes of the model `flat` and the picture of the head.
 struct Difference {
   double light = 0.0;    //!< light of the head's picture
-  double mean = 0.0;     //!< mean difference, relative to that light
+  double mean = 0.0;     //!< mean difference, relative to `light`
   double maximum = 0.0;  //!< largest difference of a pixel
 };
 

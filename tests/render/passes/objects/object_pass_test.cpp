@@ -220,7 +220,7 @@ TEST_F(ObjectPasses, RefuseObjectsInTheHoleAndEyesInsideThePhotonSphere) {
   EXPECT_EQ(drawn_from(40.0, small_sphere({0.0, 0.0, 0.0}, 5.0)), "");
   ObjectSettings disk;
   disk.form = ObjectForm::disk;
-  // The tessellation is coarse, because only matters whether the disk is drawn.
+  // The tessellation is coarse, because it only matters whether the disk is drawn.
   disk.tessellation.maximum = 1.0;
   EXPECT_EQ(drawn_from(40.0, disk), "");
   disk.disk.inner = 1.9;

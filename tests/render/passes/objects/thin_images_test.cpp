@@ -60,8 +60,8 @@ class ThinImages : public testing::TestWithParam<double> {
     return solid_angle(r, drawn.projection, [&](int x, int y) { return drawn.covered(x, y); });
   }
 
-  //! Returns this solid angle for one of both eyes of the stereo model `flat`, with the given
-  //! baseline [M].
+  //! Returns solid_angle() of the ball for the picture of one eye of the stereo model `flat`, with
+  //! the given baseline [M].
   [[nodiscard]] static double solid_angle_of_flat_eye(double r, double baseline) {
     Show eyes = parse_show(
         "[hole]\nspin = " + std::to_string(GetParam()) +
@@ -78,12 +78,13 @@ class ThinImages : public testing::TestWithParam<double> {
                        [&](int x, int y) { return left.rgba[4UL * static_cast<std::size_t>(y * left.width + x)]; });
   }
 
-  //! Returns this solid angle by exact rays. Their directions are on a Fibonacci lattice over the
-  //! position angle and the logarithm of the distance from the edge.
+  //! Returns the solid angle [sr] that the ball covers outside the shadow's edge and within
+  //! `thin_part` of the shadow's radius from it, by exact rays. Their directions are on a Fibonacci
+  //! lattice over the position angle and the logarithm of the distance from the edge.
   [[nodiscard]] static double exact_solid_angle(double r) {
     constexpr int count = test::sanitized ? 1597 : 10946;
     constexpr int step = test::sanitized ? 987 : 6765;
-    constexpr double powers = 5.0;  // of e, inwards; images closer to the edge are another 23 times thinner
+    constexpr double powers = 5.0;  // range of ln(distance from the shadow's edge)
     const CameraStation camera = station(eye(r));
     const ShadowChart chart = make_shadow_chart(camera);
     const ObjectRays rays(show(), 0.0);

@@ -111,7 +111,7 @@ TEST(StarImagesAtEdges, AreLostWithoutTheChart) {
   for (const CameraState& position : positions) {
     found += EdgeImages(position).found_in({});
   }
-  // With the chart, 63 to 67 of 72 are found.
+  // This search has no chart; with the chart, 63 to 67 of the 72 images are found.
   EXPECT_LE(found, 55U);
 }
 

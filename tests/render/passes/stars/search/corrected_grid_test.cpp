@@ -106,7 +106,7 @@ TEST_P(CorrectedImages, AreWhereRaysHaveThem) {
     ASSERT_TRUE(corrected(grid, static_cast<int>(leaf), seen(leaf, 0), image)) << "leaf " << leaf;
     const Error error = error_of(leaf, image);
     // Where the correction by rays is small, the rounding of positions and sky directions to float
-    // dominates. It is larger next to the edge of the shadow.
+    // dominates. This rounding is larger next to the edge of the shadow.
     const double rounding = edge_rounding / edge_distance(grid_view(station_).chart, boxes_[leaf].s);
     const auto left = static_cast<double>(errors.left);
     const double worst = std::max(error.parts / (4.0 * left + 5e-4 + 0.05 * rounding),
