@@ -45,7 +45,7 @@ struct WarpFile {
   //! Id of the region in an MPCDI calibration; empty if it has only one.
   std::string region;
   bool x_to_one = false;  //!< Bourke: x at the right side is 1, not the aspect ratio
-  //! Used for formats that do not state their source.
+  //! Image that the warp refers to, for formats that do not state it.
   WarpSource source = WarpSource::dome_picture;
 };
 

@@ -15,7 +15,7 @@ namespace {
 constexpr int samples = 97;
 //! Smaller shares are negligible and do not limit the light level.
 constexpr double min_part = 1e-3;
-//! Mask values from here on may have been clamped to 1: they are in the last step of 16 bits.
+//! Mask values of at least this may have been clamped to 1: they are in the last step of 16 bits.
 constexpr float cut_off = 0.99998F;
 
 }  // namespace

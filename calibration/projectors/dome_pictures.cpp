@@ -20,8 +20,8 @@ constexpr double mask_tolerance = 1.0 / 255.0;
 //! Number of compared pixels per side of a mask.
 constexpr int mask_samples = 48;
 
-//! Returns true if all nodes of a warp that are on the dome have the position in the domemaster
-//! that the projector's light meets, and if there are such nodes.
+//! Returns true if a warp has nodes on the dome, and each of these has the position in the
+//! domemaster that the projector's light meets.
 bool is_computed_warp(const ProjectorOptics& optics, const DomeScreen& screen, const WarpMesh& warp) {
   bool any = false;
   for (const WarpNode& node : warp.nodes) {
@@ -115,7 +115,7 @@ DomePictures::DomePictures(DomeSetup setup, MaskDetail detail)
       files_[i].warp = std::monostate{};
     }
     masks_.push_back(has_computed_mask(i) ? pictures_[i].blend : BlendMap{});
-    // Computed masks that were read from files are not previews.
+    // Masks that were read from files are never previews, even if they count as computed.
     coarse_.push_back(detail == MaskDetail::preview && has_computed_mask(i) && read_.projectors[i].blend_mask.empty() &&
                       !read_.projectors[i].warp);
     any = any || has_computed_mask(i);
@@ -194,7 +194,7 @@ bool DomePictures::leaves_behind(const DomeSetup& setup) const {
   }
   for (std::size_t i = 0; i < files_.size(); ++i) {
     // Surfaces and warps of a lens image are mapped to the domemaster with the current tilt, so
-    // they follow it.
+    // they follow a new tilt; only flat warps of the domemaster do not.
     const bool flat = std::holds_alternative<WarpMesh>(files_[i].warp) && files_[i].source == WarpSource::dome_picture;
     if (flat) {
       return true;

@@ -12,11 +12,12 @@ namespace ergodome {
 //! Returns a setup without the names of those warp and mask files whose contents are determined by
 //! the lenses and poses of the projectors. Such files can be recomputed after a change of the dome.
 //!
-//! They are warps of domemasters whose nodes agree with the points where the projector's light
-//! meets the dome, if the setup also names a blend mask and no black level comes from the warp's
-//! file; and the blend masks beside such warps, if the default BlendSettings produce them. The
-//! names of all other files, such as external calibrations or warps with manually moved corners,
-//! are kept; also those of all files if a projector has no lens.
+//! Such a warp file is a warp of a domemaster whose nodes agree with the points where the
+//! projector's light meets the dome. It counts only if the setup also names a blend mask, and no
+//! black level comes from the warp's file. Such a mask file is a blend mask beside such a warp, as
+//! the default BlendSettings produce it. The names of all other files, such as external
+//! calibrations or warps with manually moved corners, are kept; also those of all files if a
+//! projector has no lens.
 //!
 //! `loaded` contains the result of load_projector() for each projector.
 DomeSetup without_computed_files(const DomeSetup& setup, const std::vector<LoadedProjector>& loaded);

@@ -20,8 +20,8 @@ double between(const GridOffsets& grid, const std::vector<double>& offsets, cons
   return std::lerp(std::lerp(at(0, 0), at(1, 0), across), std::lerp(at(0, 1), at(1, 1), across), down);
 }
 
-//! Clamps a new offset of a point to the range of `farthest`, and so that it differs from the
-//! offsets of its up to eight neighbors by at most the slack.
+//! Clamps a new offset of a point, first to the range of `farthest`, then so that its difference
+//! from the offsets of the up to eight neighbors is at most the slack.
 double clamped(const GridOffsets& grid, const std::vector<double>& offsets, std::size_t point, double offset) {
   const double slack = GridOffsets::slack / (grid.points - 1);
   const int column = static_cast<int>(point) % grid.points;

@@ -15,14 +15,14 @@ namespace ergodome {
 //! Offsets of the points of a regular grid over the raster: to the right as fractions of its width,
 //! downward as fractions of its height.
 struct GridOffsets {
-  //! Maximum offset of a point, in the same fractions.
+  //! Maximum offset of a point, as a fraction of the raster's width or height.
   static constexpr double farthest = 0.25;
 
   //! Maximum difference between the offsets of neighbors, as a fraction of their distance. Below
   //! 1/2, the displacement has an inverse.
   static constexpr double slack = 0.4;
 
-  //! Points per side. Each grid contains the points of the smaller ones.
+  //! Possible numbers of points per side. Each grid contains the points of the smaller grids.
   static constexpr std::array sizes = {2, 3, 5, 9};
 
   int points = 2;  //!< points per side; 2: only the corners

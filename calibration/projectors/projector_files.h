@@ -17,9 +17,9 @@ struct LoadedProjector {
   //! the raster.
   std::variant<std::monostate, WarpMesh, SurfaceMesh> warp;
   WarpSource source = WarpSource::dome_picture;
-  //! The lens of the view, if a warp file (not MPCDI) states one; otherwise the setup's; without
-  //! one, the MPCDI region's. The orientation comes with it, and the position with that of the
-  //! MPCDI region.
+  //! The lens of the view that a warp file (not MPCDI) states, or else the lens in the setup, or
+  //! else that of the MPCDI region. The orientation is from the same source. The position is the
+  //! setup's, unless the lens is the MPCDI region's.
   Lens lens;
   Vector3<double> position_m{};
   Orientation orientation;

@@ -184,7 +184,7 @@ std::optional<RasterPosition> ProjectorOptics::raster_position(const Vector3<dou
   const Vector3<double> met = mirror_ ? mirror_point(point) : point;
   const Vector3<double> last = point - (mirror_ ? met : position_m_);
   if (!(dot(last, point) > 0.0)) {
-    return std::nullopt;  // the sphere is lit from inside
+    return std::nullopt;  // light that comes from outside meets no point, because the sphere is lit from inside
   }
   if (mirror_ && !(dot(met - mirror_->position_m, position_m_ - met) > 0.0)) {
     return std::nullopt;

@@ -36,8 +36,8 @@ class ProjectorOptics {
   //! and beyond, 1 in the middle, smooth between.
   [[nodiscard]] double depth(const RasterPosition& location) const;
 
-  //! Returns the area of the sphere that the raster would light if its scale everywhere were that
-  //! at this position [m²]; 0 if the position lights no point.
+  //! Returns the area of the sphere that the raster would light if its scale at this position
+  //! applied to the whole raster [m²]; 0 if the position lights no point.
   [[nodiscard]] double spread_m2(const RasterPosition& location) const;
 
   //! Returns true if the projector is outside the sphere, so that its light enters below the dome's

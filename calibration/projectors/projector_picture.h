@@ -19,7 +19,7 @@ struct ProjectorPicture {
   int width_px = 0;
   int height_px = 0;
   WarpMesh warp;         //!< positions in the domemaster (180°, front at the bottom) over the raster
-  GridOffsets offsets;   //!< not yet applied to warp and masks
+  GridOffsets offsets;   //!< offsets that are not yet applied to warp and masks
   BlendMap blend;        //!< linear factors of the light; width 0: none
   BlendMap black_level;  //!< linear factors of the lift; width 0: full lift everywhere
   Vector3<double> black_level_lift{};
@@ -57,8 +57,9 @@ enum class MaskDetail { full, preview };
 std::vector<ProjectorPicture> projector_pictures(const DomeSetup& setup, double tolerance_px = computed_tolerance_px,
                                                  MaskDetail detail = MaskDetail::full);
 
-//! Returns the width of a domemaster [px] whose pixels are at most as large as the projectors'
-//! pixels on it, except for the finest twentieth of these; a multiple of 64, 256 to 8192.
+//! Returns the width of a domemaster [px] whose pixels are at most as large as those of the
+//! projectors on it, except for the finest twentieth of the projectors' pixels. The width is a
+//! multiple of 64, from 256 to 8192.
 int enough_master_px(const std::vector<ProjectorPicture>& pictures);
 
 }  // namespace ergodome

@@ -66,7 +66,7 @@ enum class MapSamples { each_pixel, as_needed };
 
 //! Returns a region of profile 2d for a projector, whichever files its setup names.
 MpcdiRegion flat_region(const ProjectorPicture& picture, MapSamples samples) {
-  // Masks have a sample per pixel, which is finer than the nodes of most meshes.
+  // Resamples the warp to a node per pixel, because masks have a sample per pixel.
   const WarpMesh fine = resampled_warp(picture.warp, picture.width_px, picture.height_px);
   MpcdiRegion region;
   region.id = picture.name;
@@ -216,7 +216,7 @@ DomeSetup setup_from_mpcdi(const Mpcdi& mpcdi, const std::string& file, double r
         projector.position_m = pose.position_m;
         projector.orientation = pose.orientation;
       }
-      // The setup names the file also if the file provides only masks.
+      // The setup names the file as a warp even if the file provides only masks.
       if (region.geometry || !region.orientation || region.alpha || region.beta) {
         projector.warp = WarpFile{file, WarpFormat::mpcdi, RowOrder::bottom_up, TextureDirection::downwards, region.id};
       }
@@ -256,8 +256,8 @@ std::string tilt_note(const DomeSetup& setup, const Mpcdi& mpcdi) {
     return {};
   }
   const bool flat = mpcdi.profile == MpcdiProfile::media_2d;
-  // Adding tilt_deg would tilt positions in the dome's axes again, and rotation_deg would rotate
-  // warps again.
+  // With positions in the dome's axes, stating tilt_deg would apply the tilt again; with warps,
+  // stating rotation_deg would rotate them again.
   const std::string remedy = flat && setup.rotation_deg == 0.0
                                  ? fmt::format("set tilt_deg = {:g} in setups converted from it", setup.tilt_deg)
                                  : std::string("keep the original setup");

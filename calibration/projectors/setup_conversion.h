@@ -45,9 +45,10 @@ Mpcdi mpcdi_from_setup(const DomeSetup& setup, const std::string& date);
 Mpcdi mpcdi_from_pictures(const std::vector<ProjectorPicture>& pictures, const std::string& date,
                           const std::function<void(long)>& progress = {});
 
-//! Returns a note about the calibration converted from the setup of a tilted dome: that it includes
-//! the tilt, but does not state it, as level test patterns require; and what to do. The note is
-//! written so that it can follow the file's name. Empty without a tilt.
+//! Returns a note about the calibration converted from the setup of a tilted dome: it includes the
+//! tilt in its data but does not state the tilt as a number, which level test patterns require. The
+//! note also states what to do. The note is written so that it can follow the file's name. Empty
+//! without a tilt.
 std::string tilt_note(const DomeSetup& setup, const Mpcdi& mpcdi);
 
 }  // namespace ergodome

@@ -64,7 +64,7 @@ BlendMap in_shape_of(const BlendMap& map, int width_px, int height_px) {
     return map;
   }
   BlendMap shaped{width_px, height_px, map.channels, map.bit_depth, {}};
-  // Samples are at the centers of their parts of the raster.
+  // Each sample is at the center of its rectangle of the raster.
   const auto position = [](int at, int count, int samples) {
     return std::clamp((at + 0.5) / count * samples - 0.5, 0.0, samples - 1.0);
   };

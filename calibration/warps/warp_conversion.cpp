@@ -79,7 +79,8 @@ FloatMap map_from_warp(const WarpMesh& mesh, int width, int height, TextureDirec
 }
 
 WarpMesh with_rim(const WarpMesh& mesh) {
-  // The edge is half a step beyond the outermost samples.
+  // The edge is half a step beyond the outermost sample, which is 1.5 steps from the sample before
+  // it.
   constexpr float to_rim = 1.5F;
   WarpMesh wider{mesh.topology, mesh.columns + 2, mesh.rows, {}};
   for (int row = 0; row < mesh.rows; ++row) {

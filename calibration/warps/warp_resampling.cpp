@@ -73,7 +73,7 @@ class Resampler {
     if (area == 0.0) {
       return;
     }
-    // Rounding must not leave gaps between triangles.
+    // Triangles are enlarged by this much, so that rounding leaves no gaps between them.
     constexpr double slack = 1e-4;
     const auto [left, right] = std::minmax({a.column, b.column, c.column});
     const auto [top, bottom] = std::minmax({a.row, b.row, c.row});

@@ -29,8 +29,8 @@ struct Way {
 
 double span_s(const CameraKeys& keys, std::size_t i) { return keys[i + 1].time_s - leave_s(keys[i]); }
 
-//! Returns the derivatives of a quantity at both ends of a segment. `rise(i)` is its increase from
-//! key i to the next one.
+//! Returns the derivatives of a quantity at both ends of a segment. `rise(i)` is the quantity's
+//! increase from key i to the next one.
 template <class Rise>
 std::pair<KeyMotion, KeyMotion> motions(const CameraKeys& keys, const Way& way, const Rise& rise) {
   const auto chord = [&](std::size_t i) {
@@ -124,7 +124,8 @@ CameraKeys keys_until(CameraKeys keys, double time_s) {
 }
 
 //! Position of a time on the path: a segment and the completed fraction `t` of it, or the key at
-//! which the camera rests: one that is held, or the first or last key.
+//! which the camera rests: a held key, the first key before its time, or the last key after its
+//! time.
 struct OnTheWay {
   std::optional<std::size_t> held;
   Way way{};
@@ -180,7 +181,7 @@ Vector3<double> between_observer_and_fall(const Show& show, double time_s, const
   return own + part * (falls - own);
 }
 
-//! Returns the camera before its fall, without an orientation.
+//! Returns the camera's pose at a time before its fall, without an orientation.
 CameraPose pose_before_fall(const Show& show, double time_s) {
   const FreeFall& orbit = *show.camera.orbit;
   CameraPose pose = key_pose_at(keys_until(show.camera.keys, orbit.begin_s()), time_s);
@@ -200,8 +201,8 @@ double roll_left(CameraKeys path, double time_s) {
   return 1.0 - eased(std::min((time_s - leave_s(path[0])) / span_s(path, 0), 1.0));
 }
 
-//! Returns the camera after its fall. `orientation` is relative to the frame that was transported
-//! along the fall.
+//! Returns the camera's pose at a time after its fall. `orientation` is relative to the frame that
+//! was transported along the fall.
 CameraPose pose_after_fall(const Show& show, double time_s, const glm::dquat& orientation) {
   const FreeFall& orbit = *show.camera.orbit;
   const FallPosition end = orbit.at(time_s);
@@ -245,7 +246,9 @@ std::shared_ptr<const FreeFall> follow_fall(const Show& show) {
   if (!show.camera.fall) {
     return nullptr;
   }
-  constexpr double beyond_s = 1.0;  // Camera shutters close after the last frame.
+  // The fall is computed for this time after the show's end, because camera shutters close after
+  // the last frame.
+  constexpr double beyond_s = 1.0;
   const FallSettings& fall = *show.camera.fall;
   const CameraKey& key = keys_until(show.camera.keys, fall.time_s).back();
   const FallStart start = {key.r, key.theta, key.phi,

@@ -71,8 +71,9 @@ bool leads_within(const Show& show);
 bool camera_moves(const Show& show);
 
 //! Returns the times between which r and θ are monotonic, in order, from the show's beginning to
-//! its end [s]: keys and the ends of their holds; turning points of a fall's orbit, the stop of its
-//! clock, and where velocities begin or end their change to and from the fall's.
+//! its end [s]: the times of keys, the ends of their holds, the turning points of a fall's orbit,
+//! the time when the fall's clock stops, and the times when the change of velocity to and from the
+//! fall's begins or ends.
 std::vector<double> path_ends_s(const Show& show);
 
 }  // namespace ergodome

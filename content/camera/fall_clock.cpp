@@ -81,8 +81,8 @@ double FallClock::proper_time(double time_s) const {
   if (run >= *stop_ + stopping_) {
     return *stop_;
   }
-  // Relative to the clock without a stop, the rate falls from 1 to 0 as 1 - 3 s² + 2 s³. This is
-  // the integral.
+  // Relative to the clock without a stop, the rate falls from 1 to 0 as 1 - 3 s² + 2 s³. This
+  // expression is the integral of the rate.
   const double s = (run - (*stop_ - stopping_)) / (2.0 * stopping_);
   return *stop_ - stopping_ + 2.0 * stopping_ * s * (1.0 - s * s * (1.0 - 0.5 * s));
 }

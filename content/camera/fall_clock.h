@@ -9,7 +9,8 @@
 namespace ergodome {
 
 //! The proper time of a falling camera as a function of show time: the integral of its clock rate,
-//! which rises smoothly from 0 when the fall begins, and falls to 0 when it ends, if it ends.
+//! which rises smoothly from 0 when the fall begins. If the fall has an end, the rate falls
+//! smoothly to 0 there.
 class FallClock {
  public:
   //! `changing` contains the keys of an animated clock rate, else it is nullptr; it is copied.
@@ -18,11 +19,11 @@ class FallClock {
   //! Returns the camera's proper time since its fall began [M]; 0 before. Never decreases.
   [[nodiscard]] double proper_time(double time_s) const;
 
-  //! Returns the show time when the proper time reaches a positive value [s]; nothing if that
-  //! happens later than `end_s` or never.
+  //! Returns the show time when the camera's proper time reaches `proper_time`, which is positive
+  //! [s]; nothing if that happens later than `end_s` or never.
   [[nodiscard]] std::optional<double> time_s(double proper_time, double end_s) const;
 
-  //! Makes the proper time stop smoothly at a positive value.
+  //! Makes the clock slow down smoothly and stop at a positive proper time [M].
   void stop_at(double proper_time);
 
  private:

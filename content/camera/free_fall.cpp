@@ -15,7 +15,8 @@ constexpr double step_error = 1e-13;
 constexpr std::size_t max_steps = 200'000;
 //! Distance from the horizon at which a fall ends if it may not cross the horizon [M].
 constexpr double horizon_gap = 1e-6;
-//! Latest show time at which a clock may still reach the horizon or its stop [s].
+//! Latest show time up to which it is determined when a fall reaches the horizon or its clock stops
+//! [s].
 constexpr double end_of_time_s = 1e12;
 //! Minimum change since the last turning point, or since the start, for another turning point to
 //! count: relative change of the radius, or change of the polar angle [rad]. Smaller changes are

@@ -27,7 +27,7 @@ struct FallPosition {
   //! Rotation from the initial (e_r, e_θ, e_φ), transported along the fall without a roll around
   //! e_r, to those at this position. It is continuous across the axis. If the fall leads through
   //! the horizon, it turns axes boosted from the ZAMO at the start into axes boosted from the rain
-  //! here.
+  //! at this position.
   glm::dquat frame;
 };
 
@@ -57,7 +57,7 @@ class FreeFall {
   [[nodiscard]] double ease_s() const { return settings_.ease_s; }
   [[nodiscard]] const FallStart& start() const { return start_; }
 
-  //! Returns the camera at a show time: before the fall its start, after it its end.
+  //! Returns the camera at a show time: before the fall at its start, after the fall at its end.
   [[nodiscard]] FallPosition at(double time_s) const;
 
   //! Returns the turning points of the orbit in order of time.
@@ -69,8 +69,9 @@ class FreeFall {
   //! Returns true if the fall's settings allow it to cross the horizon and it does.
   [[nodiscard]] bool leads_within() const { return leads_within_; }
 
-  //! Returns the show time when the orbit reaches the horizon (1e-6 M above it if the fall may not
-  //! cross it) [s]; nothing if it does not, or stops at FallSettings::least_r before.
+  //! Returns the show time when the orbit reaches the horizon [s], or 1e-6 M above it if the fall
+  //! may not cross it. Returns nothing if the orbit does not reach it, or stops at
+  //! FallSettings::least_r before.
   [[nodiscard]] std::optional<double> horizon_s() const { return horizon_s_; }
 
   //! Returns the show time when the camera's clock stops at FallSettings::least_r [s]; nothing if

@@ -11,9 +11,9 @@ namespace ergodome {
 //!
 //! Without a fall it advances by a constant number of M per second of the show. In a fall, the
 //! camera's clock defines how much proper time passes per second, and the orbit defines how much
-//! hole's time passes per proper time; what the camera sees then runs fast or slow by the redshift
-//! factor g. During FallSettings::ease_s after the fall's beginning and before its end, the rate
-//! without a fall changes to that of the fall and back.
+//! time of the hole passes per proper time; what the camera sees then runs fast or slow by the
+//! redshift factor g. During FallSettings::ease_s after the fall's beginning and before its end,
+//! the rate without a fall changes to that of the fall and back.
 //!
 //! The hole's time is Boyer-Lindquist time, or for a fall through the horizon the time of infalling
 //! observers (ingoing_lag()).

@@ -12,12 +12,12 @@ namespace ergodome {
 glm::dquat rain_turn(Spacetime spacetime, double r, double theta, const Vector3<double>& in_zamo,
                      const Vector3<double>& in_rain);
 
-//! Returns the same camera with its velocity in the ZAMO frame and axes boosted from there. Returns
-//! it unchanged if its velocity is not in the rain frame, or if it is inside the horizon.
+//! Returns the same camera with its velocity in the ZAMO frame and axes boosted from that frame.
+//! Returns it unchanged if its velocity is not in the rain frame, or if it is inside the horizon.
 CameraPose in_zamo_frame(const CameraPose& pose, Spacetime spacetime);
 
 //! Converts a camera outside the horizon to the rain frame. Returns it unchanged if it has no
-//! velocity, or one in that frame.
+//! velocity, or a velocity that is already in the rain frame.
 CameraPose in_rain_frame(const CameraPose& pose, Spacetime spacetime);
 
 }  // namespace ergodome

@@ -6,8 +6,8 @@
 
 namespace ergodome {
 
-//! Minimum ratio of two radii, the larger to the smaller: that of the horizon, and the one at which
-//! the clock of a fall stops, outside or inside.
+//! Minimum ratio, larger to smaller, between the horizon's radius and the radius at which the clock
+//! of a fall stops, whether outside or inside the horizon.
 inline constexpr double nearest_rest = 1.001;
 
 //! Returns the minimum radius at which the clock of a fall can stop [M].

@@ -85,8 +85,8 @@ class PartialFile {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
-  //! Locks the file. Returns false if it was removed as abandoned before it was locked. On a file
-  //! system without locks no file is removed as abandoned.
+  //! Locks the file. Returns false if another process removed it as abandoned before it was locked.
+  //! On a file system without locks no file is removed as abandoned.
   [[nodiscard]] bool lock() const {
     if (::flock(handle_, LOCK_EX | LOCK_NB) != 0) {
       return errno != EWOULDBLOCK;

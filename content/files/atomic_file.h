@@ -20,8 +20,9 @@ void write_atomically(const std::filesystem::path& path,
 std::filesystem::path behind_links(const std::filesystem::path& path);
 
 //! Checks that write_atomically() and keep_older() can write a file with this name, so that no work
-//! is lost: an existing one is a regular file, and its folder is writable or can be created.
-//! Changes nothing. Throws Error otherwise. Does not detect a full disk.
+//! is lost: if the file exists, it must be a regular file; its folder must be writable, or it must
+//! be possible to create it. Changes nothing. Throws Error if they cannot. Does not detect a full
+//! disk.
 void require_writable(const std::filesystem::path& path);
 
 //! Removes the partial files of interrupted programs from a folder. Keeps files that a program

@@ -78,7 +78,8 @@ class ByteReader {
   std::string location_;
 };
 
-// Storage of four-byte numbers as byte planes, which compress better.
+// Storage of four-byte numbers as byte planes: first byte 0 of all numbers, then byte 1 of all, and
+// so on, which compresses better.
 inline constexpr std::size_t bytes_a_number = 4;
 
 //! Writes every `stride`-th number, beginning at `first`, as four planes of their bytes. The high

@@ -12,7 +12,7 @@ namespace ergodome {
 //! are printed as escapes.
 
 //! Ensures that descriptors 0 to 2 are open, so that no other file gets one of them, and that
-//! writing to a closed pipe is an error instead of a signal. Call it first.
+//! writing to a closed pipe is an error instead of a signal. Call it first in the program.
 void prepare_console();
 
 //! Prints to the standard output. finish_output() reports failures.

@@ -20,7 +20,8 @@ std::string fingerprint_of_file(const std::filesystem::path& file);
 //! Returns an empty text if the file is shorter or unreadable.
 std::string fingerprint_of_start(const std::filesystem::path& file, std::uintmax_t bytes);
 
-//! Larger files would take more than some seconds to read from a disk.
+//! Maximum size of files that are hashed completely [bytes]. Larger ones would take more than a few
+//! seconds to read from a disk.
 inline constexpr std::uintmax_t max_hashed_bytes = std::uintmax_t{1} << 30U;
 
 }  // namespace ergodome

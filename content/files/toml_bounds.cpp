@@ -93,7 +93,7 @@ class TomlScan {
     const std::string_view line = text_.substr(at_, text_.find('\n', at_) - at_);
     if (line != header_) {
       header_ = line;
-      // The parser rejects headers with more parts.
+      // The parser rejects headers with more parts than this, so further ones need not be counted.
       count_dotted(1 + std::min<long>(std::ranges::count(line, '.'), max_toml_key_parts));
     }
   }
@@ -123,7 +123,7 @@ class TomlScan {
       } else if (!multi_line && c == quote) {
         return;
       } else if (multi_line && text_.substr(at_).starts_with(triple)) {
-        // Up to two more quotes belong to the text.
+        // Up to two quotes before the closing three belong to the string's text.
         const std::string_view quotes = text_.substr(at_, 5);
         at_ += std::min(quotes.find_first_not_of(quote), quotes.size()) - 1;
         return;

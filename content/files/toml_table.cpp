@@ -44,7 +44,7 @@ std::string setting_path(std::string path) {
 std::string nearest_word(std::string_view word, const std::vector<std::string>& words) {
   const std::string_view bounded = word.substr(0, 100);
   std::string nearest;
-  // A less similar word would be a guess, not a correction.
+  // Only distances below this count: a less similar word would be a guess, not a correction.
   std::size_t minimum = bounded.size() / 3 + 2;
   for (const std::string& candidate : words) {
     const std::size_t distance = edit_distance(bounded, candidate);
@@ -53,7 +53,8 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
       nearest = candidate;
     }
   }
-  // An abbreviation has a large edit distance to its word.
+  // An abbreviation has a large edit distance to its word, so abbreviations of at least this length
+  // are completed.
   constexpr std::size_t min_letters = 3;
   const auto begins = [&](const std::string& candidate) { return candidate.starts_with(bounded); };
   if (nearest.empty() && bounded.size() >= min_letters && std::ranges::count_if(words, begins) == 1) {

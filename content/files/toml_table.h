@@ -30,12 +30,14 @@ class TomlTable {
                               double maximum);
   int integer(std::string_view key, int otherwise, int minimum, int maximum);
   bool boolean(std::string_view key, bool otherwise);
-  //! Reads a single line without control characters, of at most 4096 bytes.
+  //! Reads a text of a single line, of at most 4096 bytes, without control characters; returns
+  //! `otherwise` if the key is absent.
   std::string text(std::string_view key, const std::string& otherwise);
   //! Reads a text of at most 4096 bytes without control characters other than line breaks.
   std::string lines(std::string_view key, const std::string& otherwise);
 
-  //! Reads one of the given words; returns its index.
+  //! Reads one of the given words and returns its index; returns `otherwise` if the key is absent.
+  //! Throws Error for other words.
   int choice(std::string_view key, int otherwise, std::span<const char* const> words);
   int choice(std::string_view key, int otherwise, std::initializer_list<const char*> words) {
     return choice(key, otherwise, std::span(words.begin(), words.size()));

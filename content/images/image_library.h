@@ -17,14 +17,15 @@
 
 namespace ergodome {
 
-//! Shape of an image as it is shown: rotated by the file's Orientation (TIFF, Exif) unless
-//! Wishes::as_stored; of OpenEXR the display window, black where the file has no pixels.
+//! Shape of an image as it is shown: rotated by the file's Orientation (TIFF, Exif), unless
+//! Wishes::as_stored is set. For OpenEXR, it is the display window, which is black where the file
+//! has no pixels.
 struct ImageShape {
   int width = 0;
   int height = 0;
   int depth = 1;
   int channels = 0;
-  int alpha_channel = -1;  //!< -1 if there is none
+  int alpha_channel = -1;  //!< index of the alpha channel; -1 if there is none
   int sample_bytes = 1;
   bool encoded = false;         //!< the numbers are encoded as sRGB
   bool separate_alpha = false;  //!< the colors are not premultiplied by alpha
@@ -41,7 +42,7 @@ class ImageInput {
 
   [[nodiscard]] virtual const ImageShape& shape() const = 0;
 
-  //! Selects another image of the file.
+  //! Selects another image of the file by its index.
   virtual bool go_to_part(int part) = 0;
 
   //! Reads the first `channels` channels of rows [begin, end), counted from the top. Rows of tiled
@@ -57,7 +58,7 @@ class ImageInput {
   //! "format"; empty if it does not exist.
   [[nodiscard]] virtual std::string text(const std::string& name) const = 0;
 
-  //! Returns the last message and clears it.
+  //! Returns the last error message and clears it.
   virtual std::string error() = 0;
 };
 
@@ -127,7 +128,7 @@ enum class TextAnchor { baseline_start, top_centre, centre };
 
 struct TextStyle {
   int font_px;
-  std::span<const float> colour;  //!< one number per channel
+  std::span<const float> colour;  //!< color to draw with, one number per channel
   TextAnchor anchor = TextAnchor::baseline_start;
   int shadow_px = 0;
 };
@@ -214,7 +215,8 @@ struct LightCoding {
   //! Returns the alpha of a pixel of `channels` numbers; 1 without an alpha channel.
   [[nodiscard]] float alpha_of(const float* pixel) const;
 
-  //! Returns how many of a pixel's numbers put_light() reads: the colors, and alpha if it needs it.
+  //! Returns how many of a pixel's numbers put_light() reads: the colors, and also alpha if the
+  //! light depends on it.
   [[nodiscard]] int light_channels() const;
 
   //! Computes a pixel's linear red, green and blue premultiplied by alpha: what is seen of it over

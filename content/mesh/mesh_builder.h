@@ -19,7 +19,7 @@ inline constexpr std::size_t max_mesh_vertices = 3 * max_mesh_triangles;
 //! Maximum light of a surface that only emits; display white is 1. More is clamped.
 inline constexpr float brightest_glow = 60'000.0F;
 
-//! The remedy for files that are not meshes.
+//! The remedy in error messages about files that are not meshes.
 inline constexpr const char* wanted_meshes = "use a Wavefront OBJ (.obj) or glTF 2 file (.gltf, .glb)";
 
 //! Builds a mesh from triangles whose materials come in any order: each material becomes one part.

@@ -27,7 +27,7 @@ struct DiskShape {
   int rings = 9;      //!< number of divisions of each face between its inner and outer edge
 };
 
-//! Limits of the numbers of segments and rings above.
+//! Minimum and maximum numbers of the segments and rings of built-in meshes.
 inline constexpr int min_segments = 3;
 inline constexpr int max_segments = 4096;
 inline constexpr int max_rings = 4096;

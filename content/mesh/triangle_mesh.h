@@ -10,7 +10,7 @@
 
 namespace ergodome {
 
-//! The image on some triangles.
+//! The image on the triangles of a MeshPart.
 struct MeshImage {
   std::string name;  //!< path of its file, or its name in messages; empty if there is no image
   //! Bytes of an embedded image, in the format that the ending of `name` states.

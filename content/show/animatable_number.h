@@ -12,8 +12,9 @@ namespace ergodome {
 
 //! The parts of a rendering that a change of a number invalidates; every change needs a new frame.
 struct NumberChange {
-  bool stars = false;     //!< stars are found or drawn differently
-  bool sky = false;       //!< map and stars must be read and rotated again, which takes a good part of a second
+  bool stars = false;  //!< stars are found or drawn differently
+  //! Map and stars must be read and rotated again, which takes a considerable fraction of a second.
+  bool sky = false;
   bool exposure = false;  //!< automatic exposure reacts differently
 
   NumberChange& operator|=(const NumberChange& other);

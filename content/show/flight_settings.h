@@ -32,7 +32,7 @@ struct FlightSettings {
   FlightStart from = FlightStart::path;
   double max_speed = 0.6;  //!< maximum speed per distance from the guard surface [1/s]
   double least_r = 0.0;    //!< minimum radius, if it is outside the guard surface [M]; 0: none
-  double most_r = 1e5;     //!< [M]
+  double most_r = 1e5;     //!< maximum radius [M]
   double return_s = 4.0;   //!< duration of the way back to the show's path; longer if `comfort` requires it
   ComfortSettings comfort;
 

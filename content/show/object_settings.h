@@ -31,7 +31,7 @@ struct ObjectOrbit {
   double inclination = 0.0;  //!< inclination of the orbit to the plane z = 0 [rad]
   double node = 0.0;         //!< azimuth of the ascending node [rad]
   double speed = 20.0;       //!< M of the hole's time per second of the show; negative runs backward
-  Spacetime spacetime{};     //!< of the hole at the center
+  Spacetime spacetime{};     //!< spacetime of the hole at the center
 
   bool operator==(const ObjectOrbit&) const = default;
 };
@@ -40,7 +40,7 @@ struct ObjectOrbit {
 struct ObjectKey {
   double time_s = 0.0;
   Vector3<double> position = {0.0, 0.0, 0.0};  //!< position of the mesh's origin [M]
-  Ease ease = Ease::smooth;                    //!< from this key to the next
+  Ease ease = Ease::smooth;                    //!< easing from this key to the next
 };
 
 //! A checkerboard over the texture coordinates.

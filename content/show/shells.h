@@ -17,11 +17,12 @@ inline constexpr double min_shell_gap = 1e-3;
 //! [[shells]].
 struct ShellSettings {
   double radius = 10.0;       //!< Boyer-Lindquist [M]
-  double spacing_deg = 15.0;  //!< between grid lines; divides 180
+  double spacing_deg = 15.0;  //!< angle between grid lines; divides 180
   //! Width of the lines as seen from the center of the shell; 0: no lines.
   double line_width_deg = 1.0;
   std::array<double, 3> line_color = {1.0, 1.0, 1.0};  //!< linear light
-  std::array<double, 3> fill_color = {1.0, 1.0, 1.0};  //!< between the lines; multiplies the texture
+  //! Linear light between the lines; multiplies the texture.
+  std::array<double, 3> fill_color = {1.0, 1.0, 1.0};
   double line_opacity = 1.0;
   double fill_opacity = 0.0;
   double exposure = 1.0;  //!< factor on all its light

@@ -161,7 +161,7 @@ struct ViewSettings {
   int size_px = 1024;          //!< width of one eye's image; of one face if each has a file
   double aspect = 1.0;         //!< width over height, for the pinhole view
   bool from_outside = false;   //!< mirrors the image
-  double vignette = 0.0;       //!< part of the light lost at the edge of a dome's or pinhole's picture
+  double vignette = 0.0;       //!< fraction of the light that is lost at the edge of a dome's or pinhole's picture
   //! Lens of the dome view; the next three members are also for the dome view.
   LensLaw lens = LensLaw::equidistant;
   //! Coefficients of t, t³, t⁵ and t⁷ in the radius of LensLaw::polynomial [half widths of the

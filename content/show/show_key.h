@@ -40,7 +40,7 @@ enum class KeyKind {
   table,       //!< a table; absent if its struct is an empty optional
   tables,      //!< a list of tables: a vector of structs
   part,        //!< a struct whose keys are in the table of the enclosing struct
-  other        //!< has its own functions for reading and writing
+  other        //!< any other value; the key has its own functions for reading and writing
 };
 
 //! Texts for a key's row in the tables of the reference pages. Empty ones are generated from the
@@ -75,7 +75,8 @@ struct ShowKey {
   void* (*make)(void* settings) = nullptr;
   void (*before)(TomlTable& table, void* settings) = nullptr;  //!< runs before the key is read
   void (*after)(TomlTable& table, void* settings) = nullptr;   //!< runs after the key was read
-  //! Reads the key instead of the reader of its kind.
+  //! Reads the key in place of the default reader for its kind; nullptr: the default reader is
+  //! used.
   void (*read)(TomlTable& table, void* settings) = nullptr;
   void (*write)(toml::table& table, const void* settings) = nullptr;
   //! If it returns false, the key is treated as unknown.

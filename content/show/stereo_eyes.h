@@ -12,9 +12,9 @@ namespace ergodome {
 
 //! The cameras that a pair of eyes is drawn with.
 enum class EyeCameras {
-  own,           //!< each eye has its own
-  shared,        //!< both have the head's; what is near the hole is shifted for each eye
-  per_direction  //!< each eye has one per direction of the view, as with omnidirectional stereo
+  own,           //!< each eye has its own camera
+  shared,        //!< both eyes use the head's camera; things near the hole are shifted for each eye
+  per_direction  //!< each eye has one camera per direction of the view, as with omnidirectional stereo
 };
 
 constexpr EyeCameras eye_cameras(StereoModel model) {

@@ -16,8 +16,8 @@ class UnusedKeyFinder {
  public:
   explicit UnusedKeyFinder(const Show& show) : show_(show) {}
 
-  //! Records as unused: a key, the keys below it if it has no line of its own in the file, and the
-  //! animations of the key and of all keys below it.
+  //! Records a key as unused, with the animations of the key and of all keys below it. If the key
+  //! has no line of its own in the file, also records the keys below it.
   void add(const std::string& key, const char* why) {
     for (const auto& [path, line] : show_.lines) {
       std::string_view of = path;

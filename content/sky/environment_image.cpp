@@ -199,7 +199,7 @@ EnvironmentImage read_shape(ImageInput& input, const std::string& name, int larg
   const ImageShape shape = input.shape();
   check_shape(shape, name);
   if (shape.width == 2 * shape.height) {
-    // The widths of file and result are even, as both are twice as wide as high.
+    // The widths of file and result are even, because each image is twice as wide as high.
     const int width = std::min(shape.width, largest_width / 2 * 2);
     return MapReader(input, name, width, width / 2).read();
   }

@@ -158,8 +158,8 @@ glm::dmat3 sky_from_equatorial(const SkySettings& sky) {
   const double ra = sky.spin_axis_ra_deg * pi / 180.0;
   const double dec = sky.spin_axis_dec_deg * pi / 180.0;
   const glm::dvec3 axis(std::cos(dec) * std::cos(ra), std::cos(dec) * std::sin(ra), std::sin(dec));
-  // The direction in which the declination decreases along the meridian through the spin axis; it
-  // is also defined at the poles.
+  // The sky's x axis is the direction in which the declination decreases along the meridian through
+  // the spin axis. It is also defined at the poles.
   const glm::dvec3 x(std::sin(dec) * std::cos(ra), std::sin(dec) * std::sin(ra), -std::cos(dec));
   return glm::transpose(glm::dmat3(x, glm::cross(axis, x), axis));
 }

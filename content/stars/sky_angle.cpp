@@ -50,7 +50,7 @@ std::optional<double> take_part(std::string_view& text) {
 }
 
 //! Takes the mark or spaces after part `index`. Returns false if the next characters are neither,
-//! or a mark of another part. None are needed at the end of the text.
+//! or are a mark of another part. At the end of the text, neither is needed.
 bool take_mark(std::string_view& text, int index, SkyAngle& angle) {
   const bool spaces = skip_spaces(text);
   bool marked = false;

@@ -12,7 +12,7 @@ enum class AngleMark { none, hours, degrees };
 struct SkyAngle {
   double value = 0.0;  //!< value in the unit of the coordinate's first part
   AngleMark mark = AngleMark::none;
-  bool sexagesimal = false;  //!< has minutes
+  bool sexagesimal = false;  //!< the coordinate has minutes
 };
 
 //! Parses a decimal number or a sexagesimal coordinate: `05 14 32.27`, `05:14:32.27`,

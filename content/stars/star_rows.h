@@ -40,7 +40,7 @@ class StarRows {
 
  private:
   struct Coordinates {
-    double ra = 0.0;  //!< [deg] if sexagesimal, otherwise in the column's unit
+    double ra = 0.0;  //!< right ascension: [deg] if sexagesimal, otherwise in the column's unit
     double dec_deg = 0.0;
   };
 

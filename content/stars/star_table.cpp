@@ -19,7 +19,8 @@ namespace ergodome {
 namespace {
 
 constexpr std::size_t longest_cell = 65'536;
-//! The header, or a line before it, that is longer is processed as if it ended here [bytes].
+//! Maximum length of the header and of the lines before it [bytes]. Longer ones are processed as if
+//! they ended there.
 constexpr std::size_t longest_kept_line = 1U << 20U;
 constexpr std::size_t max_described_columns = 4096;
 
@@ -175,8 +176,8 @@ class TableLines {
     table_.begin(separator_, std::move(units_));
     header_found_ = true;
     if (data) {
-      // The line of this header was already counted as a comment. A carriage return ends a row
-      // without being counted.
+      // The line of this header was already counted as a comment. Ending the row with a carriage
+      // return does not count it again.
       parse(header + '\r');
     }
     at_line_start_ = kept_.ends_with('\n') || kept_.ends_with('\r');

@@ -72,7 +72,7 @@ bool TableBuilder::repeats_header() const {
 }
 
 void TableBuilder::take_row() {
-  // Below its header, VizieR writes a row of units and a row of dashes.
+  // Below its header, VizieR writes a row of units and a row of dashes, which are skipped.
   const bool dashes = only_dashes_ && cells_[right_ascension].size() > 1;
   if (!rows_begun_ && (dashes || rows_.take_units(cells_, line_))) {
     return;

@@ -50,8 +50,8 @@ class TableBuilder {
 
   std::string file_;
   StarRows rows_;
-  std::size_t line_ = 1;          //!< first line of the row
-  std::size_t lines_in_row_ = 0;  //!< lines that ended within its cells
+  std::size_t line_ = 1;          //!< number of the current row's first line
+  std::size_t lines_in_row_ = 0;  //!< number of lines that ended within the row's cells
   std::size_t cell_ = 0;
   bool in_header_ = true;
   bool between_rows_ = true;

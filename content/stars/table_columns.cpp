@@ -22,8 +22,8 @@ bool holds(const std::vector<std::string>& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-//! Returns the end of a message about a missing quantity, which begins with a semicolon: that the
-//! table has other columns, which cannot be used. Empty if it has none.
+//! Returns the end of an error message about a missing quantity: a semicolon, and a note that the
+//! table has related columns, which cannot be used instead. Empty if it has no such columns.
 std::string substitute_for(Quantity missing, const std::vector<std::string>& names) {
   for (const Substitute& other : column_substitutes()) {
     // One-letter names are ambiguous, so all columns of the substitute must be present.

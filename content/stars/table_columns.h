@@ -65,8 +65,8 @@ using UnitsByName = std::map<std::string, std::string, std::less<>>;
 TableColumns choose_columns(const std::vector<std::string>& names, const UnitsByName& units,
                             const std::string& location);
 
-//! Applies the unit of a coordinate's column, or checks that of another column. Throws Error if it
-//! is not supported.
+//! Applies the unit of a coordinate's column, or checks the unit of another column. Throws Error if
+//! the unit is not supported.
 void apply_unit(TableColumns& columns, Quantity quantity, std::string_view unit, UnitSource source,
                 const std::string& location);
 

@@ -19,7 +19,8 @@ struct PairRow {
   double angle = 0.0;       //!< azimuth that the ray sweeps [rad]
 };
 
-//! Images of higher order differ from the shadow's edge by less than double precision.
+//! Maximum order: images of higher order differ from the shadow's edge by less than double
+//! precision.
 inline constexpr int highest_order = 16;
 
 //! Reads a table of pairs (CSV with a header; columns r_obs, r, phi, order; others are ignored).

@@ -130,7 +130,7 @@ KeyMotion motion_at_end(SpanEnd end, const Chord& own, const Chord& after) {
 
 double quintic(double from, double to, double span_s, const KeyMotion& begin, const KeyMotion& end, double t) {
   const double way = to - from;
-  // Bernstein coefficients minus the first one.
+  // Bernstein coefficients of the quintic, relative to the first one.
   const double c1 = span_s * begin.rate / 5.0;
   const double c2 = 2.0 * c1 + span_s * span_s * begin.change / 20.0;
   const double c4 = way - span_s * end.rate / 5.0;

@@ -26,8 +26,8 @@ struct KeyMotion {
 
 //! The straight line between two keys.
 struct Chord {
-  double rate;    //!< [1/s]
-  double span_s;  //!< positive
+  double rate;    //!< slope of the line [1/s]
+  double span_s;  //!< duration between the keys [s]; positive
 };
 
 //! How the curve between two keys begins or ends.

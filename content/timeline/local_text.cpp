@@ -57,7 +57,7 @@ LocalText read_local_text(TomlTable& table, std::string_view key) {
   TomlTable reader = table.below(languages, key);
   LocalText text;
   for (const auto& [tag, words] : languages) {
-    // An empty tag is for languages without a text.
+    // An empty tag marks the text for languages that have none of their own.
     if (!tag.str().empty() && !is_language_tag(tag.str())) {
       throw reader.error_at(tag.str(), "is not a language tag", "write a tag such as en, de or pt-BR");
     }

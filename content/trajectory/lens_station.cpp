@@ -24,7 +24,7 @@ std::vector<LeafBox> leaf_boxes(const LensStation& station) {
       *root++ = {width * column, height * row, width, height};
     }
   }
-  // Children are stored after their parents.
+  // Children are stored after their parents, so one pass in this order reaches all cells.
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const int entry = station.tree[i];
     if (entry < 0) {

@@ -26,9 +26,10 @@ struct LensStation {
   std::vector<int> leaves;
   std::vector<float> nodes;
   std::vector<float> leaf_error_px;  //!< maximum error at each leaf's check points [px]
-  //! Data for the search for star images, empty if not requested: the nodes as traced by rays,
-  //! including nodes in the middle of a larger leaf's side; and the displacements at each leaf's
-  //! check points (CheckBatch), first those along γ, then those along s.
+  //! Data for the search for star images; empty if not requested. `traced_nodes` are the nodes as
+  //! traced by rays, including nodes in the middle of a larger leaf's side. `leaf_displacements`
+  //! are the displacements at each leaf's check points (CheckBatch), first those along γ, then
+  //! those along s.
   std::vector<float> traced_nodes;
   std::vector<float> leaf_displacements;
   //! Derivatives of the nodes with respect to the camera's position at fixed (γ, s), without the

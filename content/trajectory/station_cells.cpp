@@ -66,7 +66,7 @@ bool is_tree(const LensStation& s, std::size_t nodes) {
     if (child <= i || child < roots || child + 1 >= s.tree.size() || depth[i] == deepest_cell) {
       return false;
     }
-    // This also detects a child with two parents.
+    // A depth that is already set means that the cell has two parents.
     if (depth[child] != 0 || depth[child + 1] != 0) {
       return false;
     }

@@ -20,7 +20,7 @@ void write_cells(ByteWriter& to, const LensStation& station, std::uint32_t flags
 
 //! The result of reading what write_cells() wrote.
 struct StationCells {
-  LensStation station;  //!< without nodes
+  LensStation station;  //!< position, chart and cells of the station, without nodes
   std::uint32_t flags;
   std::size_t nodes;
 };

@@ -47,7 +47,7 @@ void TrajectoryJournal::scan() {
         "remove it, or choose another --out");
   }
   if (found.size() < expected.size()) {
-    // Not even the header was written completely.
+    // The file does not even contain the whole header, so it is begun again.
     file_.cut(0);
     file_.append(expected);
     return;
@@ -83,7 +83,7 @@ bool TrajectoryJournal::take_frame(std::uint64_t offset, std::uint64_t end, std:
     next = offset + bytes;
     return true;
   } catch (const Error&) {
-    return false;  // the frame that an interrupted bake was writing
+    return false;  // this is the frame that an interrupted bake was writing
   }
 }
 

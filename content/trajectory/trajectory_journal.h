@@ -22,16 +22,17 @@ class TrajectoryJournal {
   [[nodiscard]] bool has_station(double time_s) const { return stations_.contains(time_s); }
   [[nodiscard]] std::size_t station_count() const { return stations_.size(); }
 
-  //! Reads the station at this time, which must exist.
+  //! Reads the station at this show time, which must exist.
   [[nodiscard]] LensStation read(double time_s) const;
   void add(double time_s, const LensStation& station);
 
-  //! The same functions for a station's disk layers.
+  //! has_disk() and read_disk() do the same as has_station() and read(), for a station's disk
+  //! layers.
   [[nodiscard]] bool has_disk(double time_s) const { return disks_.contains(time_s); }
   [[nodiscard]] DiskStation read_disk(double time_s) const;
   void add(double time_s, const DiskStation& disk);
 
-  //! Returns an accepted gap, or nullptr.
+  //! Returns the accepted gap between these show times, or nullptr if there is none.
   [[nodiscard]] const Gap* find_gap(double begin_s, double end_s) const;
   void add(const Gap& gap);
 

@@ -70,7 +70,7 @@ LensStation TrajectoryReader::read(std::size_t station) const {
 DiskStation TrajectoryReader::read_disk(std::size_t station) const {
   const StationEntry& entry = stations_.at(station);
   const std::string location = station_position(path(), station) + ", disk";
-  // The difference avoids an overflow with unchecked numbers from the file.
+  // Compares with a difference, because a sum of unchecked numbers from the file could overflow.
   require_whole(entry.offset <= file_bytes_ && entry.bytes <= file_bytes_ - entry.offset, not_there, location);
   const Bytes frame = frame_at(entry.offset + entry.bytes, entry.disk_bytes, location);
   const FrameHeader header = parse_frame_header(frame, location);

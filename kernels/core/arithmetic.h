@@ -15,10 +15,10 @@
 // or a dual number (added by kernels/core/dual.h).
 namespace ergodome::inline ERGO_TARGET {
 
-//! Types that belong to a real type: `Scalar` is the number type of one lane (float or double),
-//! `Real` the type without derivatives, `Mask` the result of a comparison, and `Integer` one
-//! integer per lane, as wide as Scalar (dual numbers have none). `lane_count` is the number of
-//! lanes.
+//! Types that belong to a real type (a plain number, a pack or a dual number): `Scalar` is the
+//! number type of one lane (float or double), `Real` the type without derivatives, `Mask` the
+//! result of a comparison, and `Integer` one integer per lane, as wide as Scalar (dual numbers have
+//! none). `lane_count` is the number of lanes.
 template <class T>
 struct RealTraits {
   using Scalar = T;
@@ -28,7 +28,7 @@ struct RealTraits {
   static constexpr int lane_count = 1;
 };
 
-//! True for real types with a mixed second derivative (kernels/core/dual.h).
+//! True for types that carry a mixed second derivative (MixedDual in kernels/core/dual.h).
 template <class T>
 inline constexpr bool has_mixed_part = false;
 
@@ -110,7 +110,8 @@ ERGO_HD T safe_sqrt(const T& a) {
   return sqrt(select(a > T(ScalarOf<T>(0)), a, T(ScalarOf<T>(0))));
 }
 
-//! Returns a^p for a normal a > 0 and 0 < p < 1, to about 4 %: enough for a step size.
+//! Returns a^p to about 4 %, enough for a step size, for 0 < p < 1 and an a > 0 that is not
+//! subnormal.
 //!
 //! Uses the exponent bits as a piecewise linear logarithm.
 ERGO_HD float rough_power(float a, float p) {
@@ -213,8 +214,8 @@ ERGO_HD void sine_cosine(const T& angle, T& sine, T& cosine) {
   T s;
   T c;
   detail::sine_cosine_octant(rest, s, c);
-  // Computes quadrant mod 4 (0, 1, 2 or 3) by rounding instead of integer arithmetic, which works
-  // for numbers and packs.
+  // Computes quadrant mod 4 (0, 1, 2 or 3) by rounding, which works for plain numbers and packs
+  // alike; integer arithmetic does not.
   const T turn = quadrant - S(4) * round_to_nearest(quadrant * S(0.25) - S(0.375));
   const auto odd = absolute(turn - S(2) * round_to_nearest(turn * S(0.5) - S(0.25))) > S(0.5);
   const auto sine_negative = turn > S(1.5);

@@ -31,8 +31,8 @@ struct RealTraits<Dual<T>> {
   static constexpr int lane_count = RealTraits<T>::lane_count;
 };
 
-//! An operand without derivatives, excluded from template deduction: T, or a type that converts to
-//! it.
+//! An operand without derivatives: T, or a type that converts to it, because T is not deduced from
+//! this operand.
 template <class T>
 using Plain = std::type_identity_t<T>;
 

@@ -7,7 +7,8 @@
 namespace ergodome::inline ERGO_TARGET {
 
 //! Returns where an increasing continuous function crosses zero in [low, high], to rounding.
-//! Returns `low` if the function is not negative there, and `high` if it is not positive there.
+//! Returns `low` if the function is not negative at `low`, and `high` if it is not positive at
+//! `high`.
 //!
 //! Inverse quadratic interpolation where safe, otherwise bisection: T. R. Chandrupatla, Advances in
 //! Engineering Software 28 (1997) 145.

@@ -29,8 +29,9 @@ ERGO_HD T load_lanes(const ScalarOf<T>* from, int first, int count) {
   }
 }
 
-//! Writes the lanes that lie inside the array. Does nothing if the pointer is null, which means
-//! that this output channel is not requested.
+//! Writes the lanes to elements first, first + 1, ... of an array of `count`, except for lanes past
+//! its end. Does nothing if the pointer is null, which means that this output channel is not
+//! requested.
 template <class T>
 ERGO_HD void store_lanes(ScalarOf<T>* to, int first, int count, const T& value) {
   if (to == nullptr) {

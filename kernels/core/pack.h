@@ -12,7 +12,7 @@
 // SIMD packs for the CPU. Device code never includes this header: there each lane is a thread.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Bytes of one SIMD register of the instruction set that this file is compiled for.
+//! Size of a SIMD register of the instruction set that this file is compiled for [bytes].
 #if defined(__AVX512F__)
 inline constexpr int register_bytes = 64;
 #elif defined(__AVX2__)
@@ -84,7 +84,7 @@ template <class T, int N>
 inline unsigned mask_bits(const PackMask<T, N>& mask) {
   unsigned bits = 0;
 #if defined(__x86_64__)
-  // Compilers do not generate these instructions from the loop below.
+  // Uses intrinsics, because compilers do not generate these instructions from the loop below.
   if constexpr (N * sizeof(T) == register_bytes) {
 #if defined(__AVX512DQ__)
     const auto whole = reinterpret_cast<__m512i>(mask.bits);

@@ -2,8 +2,8 @@
 
 #include "kernels/core/host_device.h"
 
-// Four floats that are loaded, weighted and added together: a texel, or a part of a grid's node.
-// Pointers that are loaded from or stored to must be 16-byte aligned.
+// Four floats that are loaded, weighted and added together: a texel, or four of the floats in a
+// grid's node. Pointers that are loaded from or stored to must be 16-byte aligned.
 namespace ergodome::inline ERGO_TARGET {
 
 #if defined(__CUDACC__)

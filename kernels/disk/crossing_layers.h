@@ -8,8 +8,8 @@
 // Where light crosses the equatorial plane, as functions of its direction that are smooth wherever
 // the disk may be seen.
 //
-// When light crosses the plane depends only on its polar motion, and it does so at a finite Mino
-// time. So 1/r at the n-th crossing is a smooth function of the direction, even across the boundary
+// The Mino time at which light crosses the plane depends only on its polar motion, and is finite.
+// So 1/r at the n-th crossing is a smooth function of the direction, even across the boundary
 // between light that the hole captures and light that escapes, if 1/r is continued beyond the range
 // in which the equation of motion is followed (LayerLimits). Once light goes inwards past the
 // radius below which no light turns, or outwards past the disk, its 1/r, azimuth and time continue
@@ -71,7 +71,7 @@ ERGO_HD void straighten(const MaskOf<RealOf<T>>& straight, const StraightRates<T
 }
 
 //! Returns the h (scaled Mino time within a step) at which a series is zero. A last Newton step
-//! makes its mixed derivative exact, too.
+//! makes the mixed derivative of h exact, too.
 template <int Order, class T>
 ERGO_HD T exact_time_to_zero(const T (&c)[Order], const RealOf<T>& side, const RealOf<T>& to) {
   const RealOf<T> start(ScalarOf<T>(0));
@@ -126,8 +126,9 @@ ERGO_HD void keep_layer(const Mask& mask, const CrossingLayer<T>& from, Crossing
         select(mask, from.u_rate, to.u_rate)};
 }
 
-//! For light that starts in the equatorial plane: makes it cross the plane where neighboring light
-//! does. Its vertical rate keeps its sign but gets a minimum size, too small to affect the picture.
+//! Returns a ray that crosses the equatorial plane where neighboring rays do. If the ray starts in
+//! the plane, its vertical rate keeps its sign but gets a minimum size, too small to affect the
+//! picture. Other rays stay unchanged.
 template <class T>
 ERGO_HD NearRay<T> off_the_plane(const NearRay<T>& ray) {
   using S = ScalarOf<T>;
@@ -142,7 +143,7 @@ ERGO_HD NearRay<T> off_the_plane(const NearRay<T>& ray) {
   return lifted;
 }
 
-//! State of a pack of rays.
+//! State of a pack of rays while they are followed to their crossings of the equatorial plane.
 template <class T>
 struct LayerState {
   using Real = RealOf<T>;
@@ -150,8 +151,8 @@ struct LayerState {
 
   Mask active;
   Mask straight;
-  Real side;   //!< side of the plane on which the ray is now: sign of its z
-  Real count;  //!< number of crossings so far
+  Real side;   //!< side of the equatorial plane on which the ray is now: sign of z
+  Real count;  //!< number of crossings of the plane so far
   StraightRates<T> rates;
 };
 
@@ -169,8 +170,8 @@ ERGO_HD T end_of_step(const NearSeries<Order, T, Parts>& s, const LayerLimits<Sc
   const auto inwards = (end > Real(limits.near_u)) & (rate > zero);
   const auto outwards = (end < Real(limits.far_u)) & (rate < zero);
   leaves = (inwards | outwards) & (!state.straight) & state.active;
-  // A lane that began the step already beyond the bound has turned there, far from the disk. For
-  // it, the continuation starts at the end of the step.
+  // A lane whose 1/r was beyond the bound already at the start of the step has turned there, far
+  // from the disk. Its straight continuation starts at the end of the step.
   const Real bound = select(inwards, Real(limits.near_u), Real(limits.far_u));
   const auto passes = leaves & ((inwards & (begin < bound)) | (outwards & (begin > bound)));
   if (!any(passes)) {
@@ -259,7 +260,7 @@ ERGO_HD MaskOf<RealOf<T>> trace_layers(ScalarOf<T> spin, const NearRay<T>& start
   const auto within = begins_within(spin, ray);
   for (CrossingLayer<T>& layer : layers) {
     // Light within the horizon that never was outside has no neighboring light that comes from far
-    // away, so its layers get the inner bound.
+    // away, so its layers get highest_u, the bound inside the horizon.
     layer = detail::empty_layer(T(select(sees, Real(limits.lowest_u), Real(limits.highest_u))));
   }
   const Real scale =

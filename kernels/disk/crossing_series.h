@@ -15,7 +15,7 @@ struct EquatorialCrossing {
   T x, y;          //!< (cosφ, sinφ) without frame dragging; only with WithDelay
   T drag;          //!< φ is the angle of (x, y) plus this [rad]; only with WithDelay
   T delay;         //!< coordinate time from emission to the camera [M]; only with WithDelay
-  RealOf<T> time;  //!< Mino time from there to the camera, for a photon seen with energy 1 [1/M]
+  RealOf<T> time;  //!< Mino time from the crossing to the camera, for a photon seen with energy 1 [1/M]
 };
 
 namespace detail {
@@ -24,7 +24,7 @@ constexpr NearParts disk_parts(bool with_delay) {
   return with_delay ? NearParts::azimuth_and_delay : NearParts::position_alone;
 }
 
-//! Stores a crossing in the lanes of a mask.
+//! Copies a crossing, in the lanes of a mask, from `from` to `to`.
 template <class Mask, class T>
 ERGO_HD void keep_crossing(const Mask& mask, const EquatorialCrossing<T>& from, EquatorialCrossing<T>& to) {
   to = {select(mask, from.u, to.u),      select(mask, from.u_rate, to.u_rate), select(mask, from.x, to.x),

@@ -52,8 +52,8 @@ ERGO_HD float lattice_noise(std::uint32_t seed, float row, float turn, int aroun
   return low * (1.0F - t) + high * t;
 }
 
-//! Returns the clouds of one set, in about [-1, 1]. `blur`: width of a pixel relative to r; smaller
-//! clouds are left out.
+//! Returns the clouds of one set, in about [-1, 1]. `blur`: width of a pixel relative to r; clouds
+//! smaller than a pixel are left out.
 ERGO_HD float cloud_noise(std::uint32_t seed, float log_r, float turn, float blur) {
   float sum = 0.0F;
   float rows = 5.0F;
@@ -76,7 +76,7 @@ ERGO_HD float cloud_noise(std::uint32_t seed, float log_r, float turn, float blu
 //! relative to r.
 ERGO_HD float disk_pattern(const PatternTime& time, float r, float phi, float rotation, float delay, float blur) {
   constexpr float per_turn = 0.15915494F;
-  // At the horizon time and azimuth diverge, but matter seen there is dark.
+  // At the horizon time and azimuth diverge. Matter seen there is dark, so it gets no pattern.
   constexpr float farthest = 1e6F;
   if (!(::fabsf(phi) < farthest && ::fabsf(delay) < farthest)) {
     return 0.0F;
@@ -111,7 +111,7 @@ struct DiskProfileTable {
   float step;
 };
 
-//! How a disk looks.
+//! How a disk looks: its extent, colors, brightness and pattern.
 struct DiskAppearance {
   DiskFlow<float> flow;
   float inner_r;  //!< inner edge [M]; outer_r: outer edge [M]
@@ -129,7 +129,8 @@ struct DiskAppearance {
   PatternTime pattern;
 };
 
-//! Returns whether azimuth and time are needed; kernels have a variant without them.
+//! Returns whether the disk has a pattern. Only then do rays need azimuth and time; kernels have a
+//! variant without these.
 constexpr bool has_pattern(const DiskAppearance& appearance) { return appearance.contrast > 0.0F; }
 
 }  // namespace ergodome

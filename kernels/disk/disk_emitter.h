@@ -36,12 +36,12 @@ ERGO_HD CircularOrbit circular_orbit(Spacetime spacetime, double r) {
   return {(1.0 - 2.0 / r + swirl) / norm, root * (1.0 - 2.0 * swirl + spin * spin / (r * r)) / norm};
 }
 
-//! Returns the flow of the disk about a hole: the innermost stable orbit, with its energy and
-//! angular momentum. For spin 1 that orbit is at the horizon's radius, and no matter falls inwards
-//! from it.
+//! Returns the flow of the disk about a hole: the radius of the innermost stable orbit, with its
+//! energy and angular momentum. For spin 1 that radius is the horizon's, and no matter falls
+//! inwards from the orbit.
 ERGO_HD DiskFlow<double> make_disk_flow(Spacetime spacetime) {
   const double r = innermost_stable_radius(spacetime, 1.0);
-  // The limits of 0 / 0 as a goes to 1.
+  // At spin 1 the formulas yield 0 / 0; these are the limits as the spin goes to 1.
   constexpr double limit_energy = 0.57735026918962576451;
   const bool extremal = 1.0 - spacetime.spin < 1e-12;
   const CircularOrbit orbit = extremal ? CircularOrbit{limit_energy, 2.0 * limit_energy} : circular_orbit(spacetime, r);
@@ -54,14 +54,14 @@ ERGO_HD DiskFlow<S> converted_flow(const DiskFlow<double>& f) {
           static_cast<S>(f.axial_angular_momentum)};
 }
 
-//! Light at the disk, scaled to an observed energy of 1.
+//! Light where it leaves the disk, for a photon that the observer sees with energy 1.
 template <class S>
 struct DiskLight {
   S r;                       //!< radius of emission [M]
   S energy;                  //!< E at infinity
   S axial_angular_momentum;  //!< L_z [M]
   S shear_constant;          //!< K = Q + (L - a E)² [M²]
-  bool outwards;             //!< emitted with growing r
+  bool outwards;             //!< the light leaves the disk towards larger r
 };
 
 //! Returns ν_emitted / ν_observed = u^t (E - Ω L) for matter on a circular geodesic along +φ. The

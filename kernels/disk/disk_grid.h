@@ -7,7 +7,8 @@
 // Grids of a camera's sky that store where its light crosses the equatorial plane, order by order.
 namespace ergodome {
 
-//! Number of orders in a grid, as many as rays find (kernels/disk/equatorial_crossings.h).
+//! Number of crossing orders that a grid stores, as many as rays find
+//! (kernels/disk/equatorial_crossings.h).
 inline constexpr int layer_orders = 3;
 
 //! A grid as kernels read it: the cells of kernels/lens/lens_grid.h over the chart of
@@ -19,7 +20,7 @@ inline constexpr int layer_orders = 3;
 struct DiskGrid {
   LensGrid cells;  //!< the cells; the member `nodes` is not used
   const float* nodes[layer_orders];
-  //! For each leaf: bit n is set if the disk's n-th image may be seen there.
+  //! For each leaf: bit n is set if the disk's n-th image may be seen in the leaf.
   const unsigned char* orders;
   //! Inverse of the affine distance of each order in the rain frame, (q_0, q_1, q_2, 0) and their
   //! derivatives; nullptr if not requested.
@@ -31,16 +32,17 @@ struct DiskGrid {
 struct DiskSpanOnScreen {
   float outer_u;
   float inner_u;
-  //! An error of 1/r is converted to pixels by dividing it by the change of 1/r across a pixel, but
-  //! at least by this.
+  //! An error of 1/r is converted to pixels by dividing it by the change of 1/r across a pixel, or
+  //! by this value if the change is smaller.
   float min_change;
-  //! The same for the pattern: minimum change of its azimuth across a pixel [rad].
+  //! Minimum divisor for the pattern, like min_change for 1/r: minimum change of azimuth across a
+  //! pixel [rad].
   float min_turn;
 };
 
 //! The camera of all kernels that trace a disk's grid, in the rain frame at φ = 0.
 struct DiskGridCamera {
-  GridCamera<float> grid;  //!< its settings are not used
+  GridCamera<float> grid;  //!< camera and chart; the member `settings` is not used
   LayerLimits<float> limits;
   bool pattern;
 };
@@ -85,8 +87,9 @@ struct DiskGridCheckBatch {
   int count;
   const float* gamma_turns;
   const float* s;
-  //! As in DiskCheckBatch. 0 where the leaf is flagged as inaccurate, so that pixels are traced. It
-  //! is unknown_disk_error where the grid lacks an image that the ray sees.
+  //! Largest displacement on the screen, as in DiskCheckBatch [px]. 0 where the leaf is flagged as
+  //! inaccurate, because its pixels are traced. unknown_disk_error where the grid lacks an image
+  //! that the ray sees.
   float* error_px;
   //! Area on the screen of a chart area of one turn of γ times one unit of s [px²]; 0 where no
   //! image of the disk is near.

@@ -39,15 +39,16 @@ ERGO_HD DiskSpan disk_span(float inner_r, float outer_r, float u, float width) {
 
 }  // namespace detail
 
-//! Returns whether a pixel may contain images that are finer than itself. `change`: of 1/r across
-//! the pixel. Next to the critical curve the image of each order is thinner than that of the order
-//! before, by a factor of about e^π without spin.
+//! Returns whether a pixel may contain images that are finer than itself. `change`: change of 1/r
+//! across the pixel. Next to the critical curve the image of each order is thinner than that of the
+//! order before, by a factor of about e^π without spin.
 ERGO_HD bool holds_finer(const DiskAppearance& appearance, float change) {
-  constexpr float fine_change = 0.25F;  // fraction of the disk's whole range of 1/r
+  // Minimum change of 1/r across a pixel, as a fraction of the disk's whole range.
+  constexpr float fine_change = 0.25F;
   return change > fine_change * (1.0F / appearance.inner_r - 1.0F / appearance.outer_r);
 }
 
-//! A crossing as one pixel sees it.
+//! A crossing of the disk's plane as one pixel sees it.
 struct SeenCrossing {
   float coverage;  //!< fraction of the pixel that the disk covers
   float r;         //!< radius in the middle of the covered part [M]

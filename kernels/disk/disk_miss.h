@@ -53,7 +53,7 @@ ERGO_HD MaskOf<RealOf<T>> trace_grid_layers(const DiskGridCamera& camera, const 
 template <class T, bool WithPattern>
 struct RaysOfDiskChart {
   CrossingLayer<T> layers[crossing_orders];
-  MaskOf<T> done;  //!< false where a ray reached the step limit
+  MaskOf<T> done;  //!< lanes whose ray ended before it reached the step limit
   MixedDual<T> alpha;
   T scale;  //!< scale at which the observer sees each ray [px/rad]
   T sine;   //!< sin α
@@ -67,7 +67,8 @@ struct RaysOfDiskChart {
     T cosine;
     sine_cosine(alpha.value, sine, cosine);
     done = detail::trace_grid_layers<detail::disk_parts(WithPattern)>(camera, direction, layers);
-    // At the chart's poles, derivatives along γ are only rounding errors.
+    // At the chart's poles, derivatives along γ are only rounding errors, so the sine by which they
+    // are divided has this minimum.
     min_sine_ = 0.02F * camera.grid.chart.edge.smallest;
   }
 
@@ -92,7 +93,7 @@ struct DiskMiss {
   const DiskGridCamera& camera;
   const DiskSpanOnScreen& span;
 
-  //! Returns the component of a patch that holds an order's 1/r.
+  //! Returns the index of the patch component that holds an order's 1/r.
   ERGO_HD static int part_of(int order) { return WithPattern ? 0 : order; }
 
   //! Returns the change of an order's 1/r across a pixel.

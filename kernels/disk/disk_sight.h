@@ -16,15 +16,16 @@ class DiskSight {
   using S = ScalarOf<T>;
   using Mask = MaskOf<T>;
 
-  //! `pixel`: width of what each ray represents, as a fraction of a pixel.
+  //! `pixel`: width of the area that each ray represents, as a fraction of a pixel.
   ERGO_HD DiskSight(const CameraStationOf<S>& camera, const DiskAppearance& appearance, const NearLimits<S>& limits,
                     const NearRay<D>& ray, S pixel)
       : camera_(camera), appearance_(appearance), limits_(limits), ray_(ray), pixel_(pixel) {}
 
-  //! Finds the crossings that the lanes of a mask see.
+  //! Traces the rays of a mask's lanes to their crossings of the disk's plane.
   ERGO_HD void trace(const Mask& lanes) {
     const Mask wanted = lanes & may_reach(camera_.spin, ray_, appearance_.outer_r);
-    // No light turns back to the hole from beyond its photon orbits.
+    // Rays end at the smaller of two u, one outside the disk and one outside the photon orbits:
+    // beyond these no light turns back to the hole.
     const CrossingLimits<S> limits = {minimum(S(0.5) / appearance_.outer_r, S(0.22)), limits_.tolerance,
                                       limits_.step_limit};
     trace_crossings<near_order, false>(camera_.spin, ray_, limits, wanted, crossings_);
@@ -33,7 +34,8 @@ class DiskSight {
     }
   }
 
-  //! Returns the Mino time from a crossing of lane `i` to the camera; infinity if there is none.
+  //! Returns the Mino time from a crossing of lane `i` to the camera; infinity if the lane has no
+  //! such crossing.
   ERGO_HD S time(int order, int i) const {
     return order < crossing_orders && is_crossing(crossings_[order], i) ? lane(crossings_[order].time, i)
                                                                         : std::numeric_limits<S>::infinity();
@@ -62,7 +64,8 @@ class DiskSight {
     put_behind(opacity * disk_light(appearance_, photon, at), opacity, i, seen);
   }
 
-  //! Returns whether images may be finer than what the ray of lane `i` represents.
+  //! Returns whether the ray of lane `i` may see images of the disk that are finer than the width
+  //! that it represents.
   ERGO_HD bool is_fine(int i) const {
     bool fine = false;
     for (const EquatorialCrossing<D>& crossing : crossings_) {
@@ -84,7 +87,7 @@ class DiskSight {
     return sqrt(along_x * along_x + along_y * along_y);
   }
 
-  //! Returns the part of the disk that lane `i` sees at a crossing.
+  //! Returns what lane `i` sees of the disk at a crossing.
   ERGO_HD SeenCrossing seen_at(const EquatorialCrossing<D>& crossing, int i) const {
     const float width = pixel_ * change(crossing, i);
     const detail::DiskSpan span =
@@ -92,8 +95,8 @@ class DiskSight {
     return {span.coverage, span.r, width * span.r, lane(crossing.u_rate.value, i) > 0.0F, 0.0F, 0.0F};
   }
 
-  //! Returns whether lane `i` crosses the plane behind the horizon, while the part of the disk that
-  //! its pixel sees (by linear extrapolation) is at a radius where its light cannot exist. Only
+  //! Returns whether lane `i` crosses the plane behind the horizon, while linear extrapolation puts
+  //! the part of the disk that its pixel sees at a radius where its light cannot exist. Only
   //! happens with disks that reach inside the innermost stable orbit.
   ERGO_HD bool comes_from_behind(int order, int i, const PhotonConstants& photon, const SeenCrossing& at) const {
     return appearance_.inner_r < appearance_.flow.stable_r &&

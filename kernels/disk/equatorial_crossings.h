@@ -6,11 +6,12 @@
 // shadow.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Number of crossings that are kept: the direct image of the plane, that of light which passes
-//! under the hole, and the next.
+//! Number of crossings that are kept: the direct image of the plane, the image by light that passes
+//! under the hole, and the next image.
 inline constexpr int crossing_orders = 3;
 
-//! How far rays are followed, and how precisely.
+//! Limits for following rays to the equatorial plane: where they end, their precision and their
+//! number of steps.
 template <class S>
 struct CrossingLimits {
   //! Outgoing light with a 1/r below this, which is well below that of the photon orbits, does not
@@ -22,7 +23,7 @@ struct CrossingLimits {
 
 namespace detail {
 
-//! Range of u = 1/r in which crossings are sought.
+//! Range of u = 1/r in which crossings are sought, and where rays end.
 template <class S>
 struct CrossingBounds {
   S horizon_r;
@@ -34,8 +35,8 @@ struct CrossingBounds {
 
 //! Returns the bounds of a hole. With the delay, rays end before the horizon, where time and
 //! azimuth diverge and light is frozen and dark. Without it, rays go on a little past infinity and
-//! past the horizon, so that a pixel whose light just misses the plane still gets a u, from which
-//! the part of it that the disk covers is computed.
+//! past the horizon, so that a pixel whose light just misses the plane still gets a u. From it, the
+//! fraction of the pixel that the disk covers is computed.
 template <bool WithDelay, class S>
 ERGO_HD CrossingBounds<S> crossing_bounds(S spin, S outermost_u) {
   const S horizon_r = kerr_horizon_radius(spin);
@@ -111,7 +112,7 @@ ERGO_HD MaskOf<RealOf<T>> trace_crossings(ScalarOf<T> spin, const NearRay<T>& ra
         detail::keep_crossing(outside & (absolute(beyond) < Real(S(0.5))), crossing, crossings[order]);
       }
       count = select(outside, count + S(1), count);
-      // A crossing behind the horizon is kept, as it shows how nearly the ray crossed the plane
+      // A crossing behind the horizon is stored, as it shows how nearly the ray crossed the plane
       // outside. The ray ends there, since later crossings are meaningless.
       active = active & !(outside & (u * bounds.horizon_r > Real(S(1))));
     }

@@ -8,9 +8,8 @@ namespace detail {
 
 //! Factors of the winding (kernels/spacetime/kerr/horizon_winding.h) that is subtracted from
 //! azimuth and time, so that they stay smooth at the horizon. It is subtracted once in
-//! Boyer-Lindquist coordinates. In ingoing Kerr coordinates it is subtracted twice if the winding
-//! is that of light that goes on to the horizon, and not at all if it is that of the ingoing light
-//! itself.
+//! Boyer-Lindquist coordinates. In ingoing Kerr coordinates it is subtracted twice for a camera
+//! outside the horizon (HorizonWinding::sense 1), and not at all for one inside (sense -1).
 template <class T>
 struct LostWinding {
   using Real = RealOf<T>;

@@ -35,8 +35,8 @@ ERGO_HD double page_thorne_function(Spacetime spacetime, double r) {
   const double x = ::sqrt(r);
   const double x0 = ::sqrt(stable_r);
   const double third = ::acos(::fmin(::fmax(spin, -1.0), 1.0)) / 3.0;
-  // 2 cos(third - π/3), 2 cos(third + π/3), -2 cos(third), and their differences without
-  // cancellation.
+  // The roots x1 = 2 cos(third - π/3), x2 = 2 cos(third + π/3) and x3 = -2 cos(third), and their
+  // differences without cancellation.
   const double cosine = ::cos(third);
   const double skew = 1.73205080756887729353 * ::sin(third);
   const double x1 = cosine + skew;

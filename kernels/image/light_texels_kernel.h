@@ -5,7 +5,7 @@
 #include "kernels/image/light_levels.h"
 
 // Light levels one texel at a time, for devices with their many threads.
-// kernels/image/light_levels_kernel.h does the same by whole tiles.
+// kernels/image/light_levels_kernel.h computes the same levels on the CPU, tile by tile.
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {

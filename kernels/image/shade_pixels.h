@@ -23,9 +23,9 @@ struct ShadeBatch {
   ViewMode mode;
   SkyFilter filter;
   SkyShift shift;
-  bool brightening;                //!< multiplies the map's light by the magnification
-  BlackbodyTable colours;          //!< for SkyShift::blackbody_fit
-  ProjectionOf<float> projection;  //!< for magnifications, and for the width of a row
+  bool brightening;                //!< true: the map's light is multiplied by the magnification
+  BlackbodyTable colours;          //!< colors of blackbodies; used by SkyShift::blackbody_fit
+  ProjectionOf<float> projection;  //!< projection of the image, for magnifications and for the width of a row
   int first_row;                   //!< row of the image at which this batch begins, for magnifications
   float exposure;                  //!< factor of the sky's light
   //! Value at the low end of a heat map: log10 of error estimate and magnification, log2 of the
@@ -38,7 +38,7 @@ struct ShadeBatch {
   int count;  //!< number of pixels; whole rows
 };
 
-//! Returns the counter's name for a variant of shading the sky; each variant is compiled
+//! Returns the work counter's name for a variant of shading the sky; each variant is compiled
 //! separately.
 constexpr const char* shading_name(SkyFilter filter, SkyShift shift, bool brightening) {
   constexpr const char* names[3][3][2] = {

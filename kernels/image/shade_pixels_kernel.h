@@ -49,7 +49,7 @@ struct ShadeSky {
     }
     if constexpr (Shift == SkyShift::luminance) {
       const T g2 = g * g;
-      // The frequency ratio is undefined where no light arrives.
+      // The frequency ratio is undefined where no light arrives, so the light is set to 0 there.
       scale = select(coverage > T(0.0F), scale * (g2 * g2), T(0.0F));
     }
     if constexpr (Brightened) {
@@ -95,7 +95,8 @@ struct ShadeSky {
     const Vector3<T> along_x = vectors(batch.lens.sky_along_x, first);
     const Vector3<T> area = cross(along_x, vectors(batch.lens.sky_along_y, first));
     const T whole_sky(12.566371F);
-    // Where light is lost, store_sky() writes derivatives that are too large to be real.
+    // Recognizes pixels without light from the sky: store_sky() writes derivatives for them that
+    // are too large to be real.
     const auto lost = dot(along_x, along_x) > T(1e6F);
     const T on_sky = select(lost, whole_sky, minimum(safe_sqrt(dot(area, area)), whole_sky));
     T x_px(0.0F);
@@ -110,7 +111,7 @@ struct ShadeSky {
     const Vector3<float> rgb = {quad_part(light, 0), quad_part(light, 1), quad_part(light, 2)};
     const float luminance = luminance_of(rgb);
     Vector3<float> seen = {0.0F, 0.0F, 0.0F};
-    // Where no light arrives, g is undefined and the temperature would be 0 / 0.
+    // Without light, g is undefined and the temperature would be 0 / 0, so the result stays black.
     if (luminance > 1e-37F) {
       seen = shifted_light(batch.colours, rgb, quad_part(light, 3) / luminance, g);
     }
@@ -188,7 +189,7 @@ struct ShadeHeatMap {
     const float coverage = batch.lens.coverage[index];
     const float position = (value(index) - batch.range_low) / (batch.range_high - batch.range_low);
     const Vector3<float> shown = batch.mode == ViewMode::frequency_ratio ? shift_color(position) : heat_color(position);
-    // The renderer's output is linear, but the color map is in display values.
+    // The renderer's output is linear, so the display values of the color map are decoded.
     const Vector3<float> linear = {srgb_decoded(shown.x), srgb_decoded(shown.y), srgb_decoded(shown.z)};
     detail::store_rgba(batch, index, coverage * linear, coverage);
   }

@@ -56,7 +56,7 @@ ERGO_HD float light_for_display(const Tone& tone, float display) {
   float x = d;
   switch (tone.curve) {
     case ToneCurve::reinhard: {
-      // x² / w² + (1 - d) x - d = 0, in the form without cancellation.
+      // Solves x² / w² + (1 - d) x - d = 0 for x, in the form without cancellation.
       const float rest = 1.0F - d;
       x = 2.0F * d / (rest + ::sqrtf(rest * rest + 4.0F * d / (tone.white * tone.white)));
       break;

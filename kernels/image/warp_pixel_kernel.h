@@ -4,11 +4,11 @@
 #include "kernels/image/byte_power.h"
 #include "kernels/image/warp_pixels.h"
 
-// Warps one pixel at a time, for devices with their many threads. WarpPixels does the same by
-// groups of pixels.
+// Warps one pixel at a time, for devices with their many threads. WarpPixels computes the same on
+// the CPU, by groups of pixels.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Index i is a pixel of the raster, row by row.
+//! Warps one pixel of the projector's raster; index i counts the pixels row by row.
 template <bool Coloured>
 struct WarpPixel {
   WarpBatch batch;
@@ -32,7 +32,7 @@ struct WarpPixel {
     return rgb;
   }
 
-  //! Writes the value of a pixel.
+  //! Writes the three bytes of a pixel.
   ERGO_HD void store(long pixel, std::uint32_t rgb) const {
     std::uint8_t* const to = batch.rgb + 3 * pixel;
     to[0] = static_cast<std::uint8_t>(rgb);

@@ -18,7 +18,7 @@ constexpr int rows_of_a_block = 8;
 __device__ void store_words(std::uint8_t* to, std::uint32_t rgb, int count) {
   constexpr unsigned all = 0xffffffffU;
   const int first_byte = 4 * static_cast<int>(threadIdx.x);
-  // The bytes of a word are from two pixels.
+  // The four bytes of a word come from two adjacent pixels.
   const std::uint32_t one = __shfl_sync(all, rgb, first_byte / 3 % columns_of_a_block);
   const std::uint32_t next = __shfl_sync(all, rgb, (first_byte / 3 + 1) % columns_of_a_block);
   if (first_byte < count) {

@@ -50,7 +50,7 @@ struct WarpBatch {
   const std::uint16_t* factor;
   bool coloured;
   float factor_scale[3];  //!< per channel: factor of the light = factor_scale * (stored number)²
-  float lift_scale[3];    //!< the same for the lift; if not `coloured`, the lift itself
+  float lift_scale[3];    //!< lift = lift_scale * (stored number)²; if not `coloured`, the lift itself
   float exponent;         //!< exponent of the projector's curve: value = light ^ exponent
   //! Minimum light: smaller values are replaced by this one, which is still black. It is 2^-100, or
   //! 2^(-100 / exponent) if the exponent is above 1.

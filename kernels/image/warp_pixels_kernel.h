@@ -46,8 +46,8 @@ inline typename PackMask<float, N>::Register eight_bit_power(const Pack<float, N
   const T e(__builtin_convertvector(bits >> 23, Register));
   const T t = T((Register)((bits & mantissa_bits) + root_of_half_bits)) - 1.0F;
   const T power = binary_logarithm(t, e) * p;
-  // After adding 1.5 * 2^23, the lowest bits contain the nearest integer, which goes to the
-  // exponent.
+  // After adding 1.5 * 2^23, the lowest bits contain the nearest integer, which becomes the
+  // exponent of a float.
   constexpr float magic = 12582912.0F;
   const T whole = round_to_nearest(power);
   const Integer exponent = (Integer)(whole + magic).lanes << 23;
@@ -59,8 +59,8 @@ inline typename PackMask<float, N>::Register eight_bit_power(const Pack<float, N
 //! b ...
 using Bytes16 __attribute__((vector_size(16))) = std::uint8_t;
 inline void interleave(const Bytes16& r, const Bytes16& g, const Bytes16& b, std::uint8_t* to) {
-  // Two operands at a time: indices from 16 on select from the second, and zeros are placeholders
-  // for the third.
+  // Shuffles two operands at a time: indices from 16 on select from the second operand, and zeros
+  // are placeholders for the bytes of the third channel.
   const Bytes16 rg0 = __builtin_shufflevector(r, g, 0, 16, 0, 1, 17, 0, 2, 18, 0, 3, 19, 0, 4, 20, 0, 5);
   const Bytes16 rg1 = __builtin_shufflevector(r, g, 21, 0, 6, 22, 0, 7, 23, 0, 8, 24, 0, 9, 25, 0, 10, 26);
   const Bytes16 rg2 = __builtin_shufflevector(r, g, 0, 11, 27, 0, 12, 28, 0, 13, 29, 0, 14, 30, 0, 15, 31, 0);
@@ -73,7 +73,7 @@ inline void interleave(const Bytes16& r, const Bytes16& g, const Bytes16& b, std
 }
 }  // namespace detail
 
-//! Index i is a group of pixels. `T` is a pack of floats.
+//! Warps group i of the pixels of the projector's raster. `T` is a pack of floats.
 template <class T, bool Coloured>
 struct WarpPixels {
   WarpBatch batch;

@@ -17,7 +17,8 @@ namespace ergodome {
 namespace {
 
 const char* find_unavailable_reason() {
-  // Without a driver the runtime would report an insufficient driver; the driver version is then 0.
+  // Checks for a driver first, because without one the runtime reports an insufficient driver. The
+  // driver version is then 0.
   int driver_version = 0;
   if (cudaDriverGetVersion(&driver_version) == cudaSuccess && driver_version == 0) {
     return "no NVIDIA driver is installed";
@@ -93,7 +94,8 @@ cudaMemPool_t kept_pool() {
       return found;
     }
     check_cuda(cudaDeviceGetDefaultMemPool(&found, device), "finding the GPU memory pool");
-    // Limited, because other programs and OpenGL need device memory, too.
+    // Limits the memory that the pool keeps, because other programs and OpenGL need device memory,
+    // too.
     std::uint64_t max_bytes = std::uint64_t{1} << 30;
     check_cuda(cudaMemPoolSetAttribute(found, cudaMemPoolAttrReleaseThreshold, &max_bytes),
                "setting up the GPU memory pool");
@@ -187,8 +189,8 @@ class HostStage {
   Half halves_[2];
 };
 
-//! Objects kept for reuse, because making them takes longer than most uses. They are never
-//! destroyed: when the process ends, the driver may be gone before them.
+//! Objects kept for reuse, because making one takes longer than most uses of it. They are never
+//! destroyed, because at the end of the process the driver may be gone before them.
 template <class T>
 class ReusePool {
  public:
@@ -237,7 +239,8 @@ void clear_cuda(void* memory, std::size_t bytes) {
 
 void copy_to_cuda(void* to, const void* from, std::size_t bytes) {
   if (works_in_order()) {
-    // The driver may read the source after the call returns, when it may already be freed.
+    // The driver may read the source after the call returns, when the caller may already have freed
+    // it.
     check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, current_stream()), "copying to the GPU");
     return finish_launch("copying to the GPU");
   }

@@ -11,7 +11,7 @@
 namespace ergodome {
 
 //! Returns why CUDA cannot be used here, or nullptr if it can. For a driver error, the reason is
-//! CUDA's description of it. Determined once.
+//! CUDA's description of it. The reason is determined at the first call.
 const char* cuda_unavailable_reason();
 
 //! Runs the kernel of a batch on the GPU. Defined where kernels are registered

@@ -80,7 +80,7 @@ long counted_elements(const Batch& batch) {
 template <class Batch>
 struct CpuKernel {
   void (*run)(const Batch& batch, int begin, int end);  //!< runs calls [begin, end)
-  int lanes;                                            //!< elements of a call
+  int lanes;                                            //!< number of elements that a call computes
 
   //! Returns the number of calls that a batch needs.
   [[nodiscard]] int calls(const Batch& batch) const {

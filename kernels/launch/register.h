@@ -13,7 +13,7 @@
 #endif
 
 // Registers kernels. A source *_kernels.cpp is compiled for each instruction set and, if a GPU runs
-// its kernels, as CUDA. It contains nothing but such lines, in namespace ergodome:
+// its kernels, as CUDA. It contains only lines like these, in namespace ergodome:
 //
 //     ERGO_KERNEL(PixelBatch);                 for CPU and GPU
 //     ERGO_CPU_KERNEL(NodeBatch<double>);      for the CPU alone

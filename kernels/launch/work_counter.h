@@ -65,7 +65,7 @@ class WorkScope {
 WorkCounter& work_counter(const std::string& name);
 void count_work(const std::string& name, long elements);
 
-//! Returns all work so far.
+//! Returns all work since the program began, by the names of the counters.
 std::map<std::string, WorkCount> work_done();
 
 //! Returns the differences between two results of work_done(), without work that did not run in

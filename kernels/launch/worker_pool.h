@@ -44,7 +44,7 @@ class WorkerPool {
   std::condition_variable asked_;
   std::condition_variable done_;
   std::list<Job*> jobs_;         //!< jobs that want helpers
-  std::atomic<int> waiting_{0};  //!< number of these jobs
+  std::atomic<int> waiting_{0};  //!< number of jobs in jobs_
 };
 
 }  // namespace ergodome

@@ -8,16 +8,16 @@ namespace ergodome {
 
 //! Points of a camera's sky at which a lens is compared with traced rays, in double.
 struct BlendCheckBatch {
-  GridCamera<double> camera;  //!< at the camera position; its chart is that of the lens
+  GridCamera<double> camera;  //!< camera at the lens's camera position; its chart is that of the lens
   LensBlend lens;
   Aberration observer;  //!< observer for whose screen errors are measured
   double pixel;         //!< angle of a pixel on that screen [rad]
   int count;
   const double* gamma_turns;
   const double* s;
-  //! Error of the lens: displacement on the screen against the traced ray [px]; 0 in flagged
-  //! leaves, whose pixels are traced anyway, otherwise 1e30 where the traced ray does not reach the
-  //! sky.
+  //! Error of the lens: displacement on the screen against the traced ray [px]. 0 in flagged
+  //! leaves, whose pixels are traced anyway. In other leaves, 1e30 where the traced ray does not
+  //! reach the sky.
   double* error_px;
   double* area_px;  //!< screen area of a chart area of one turn of γ times one unit of s [px²]
 };

@@ -60,8 +60,8 @@ struct CheckBatch {
   const GridCell* cells;
   const float* nodes;
   //! Error of the cell's patch: displacement on the screen against the traced ray [px], less the
-  //! noise of the tracing; 1e30 if the ray of a corner or of the check does not come from the sky
-  //! or did not converge.
+  //! noise of the tracing. 1e30 if the ray of the check or of one of the corners does not come from
+  //! the sky, or did not converge.
   float* error_px;
   float* area_px;  //!< area of the cell on the screen, computed with the scale at the check [px²]
   // The error as a displacement of the camera direction in the chart, along γ and along s, in

@@ -13,7 +13,9 @@ namespace detail {
 template <class T>
 inline constexpr int grid_order = sizeof(ScalarOf<T>) == 4 ? 10 : 16;
 
-//! Follows a ray of a grid's camera to the sky, if it comes from there.
+//! Follows a ray of a grid's camera backwards and returns the sky direction that its light comes
+//! from. `reached` receives the lanes whose light comes from the sky and whose ray arrived there
+//! within the step limit.
 template <class T, class Camera>
 ERGO_HD Vector3<T> grid_sky(const GridCamera<ScalarOf<T>, Camera>& camera, const Vector3<T>& n,
                             MaskOf<RealOf<T>>& reached) {
@@ -49,7 +51,8 @@ ERGO_HD Displacement<T> screen_displacement(const Vector3<T>& along_gamma, const
   const T c = dot(j2, j2);
   const T p = dot(j1, miss);
   const T q = dot(j2, miss);
-  // |j1 x j2|² is accurate where a c - b² cancels, when J is long and thin.
+  // The determinant a c - b² equals |j1 x j2|², which is accurate even if j1 and j2 are nearly
+  // parallel, so that the difference cancels.
   const Vector3<T> normal = cross(j1, j2);
   const T inverse = S(1) / (dot(normal, normal) + T(S(1e-30)));
   const T x = (c * p - b * q) * inverse;
@@ -81,7 +84,8 @@ struct TraceNodes {
     MaskOf<T> reached;
     const Vector3<M> sky =
         detail::grid_sky(batch.camera, chart_direction_at(batch.camera.chart, gamma_turns, stretch.alpha), reached);
-    // Light that barely left the horizon of an extremal hole may have non-finite derivatives.
+    // Light that barely left the horizon of an extremal hole may have non-finite derivatives; it
+    // counts as not coming from the sky.
     reached = reached & (size(sky.x) + size(sky.y) + size(sky.z) < T(S(1e30)));
     for (int i = 0; i < lanes && first + i < batch.count; ++i) {
       float* node = batch.nodes + floats_a_node * (first + i);
@@ -161,7 +165,7 @@ struct CheckCells {
  private:
   //! Values of the patches of the lanes' cells at the checks.
   struct Patch {
-    Vector3<T> sky;  //!< unit vector
+    Vector3<T> sky;  //!< sky direction, a unit vector
     Vector3<T> along_gamma;
     Vector3<T> along_s;
     T good;  //!< summed weights of the corners that have a sky; below 1 if one has none
@@ -198,7 +202,7 @@ struct CheckCells {
   //! Returns the fraction of a miss that exceeds the noise of the tracing itself, which smaller
   //! cells would not reduce.
   ERGO_HD T part_without_noise(const Vector3<T>& miss) const {
-    // Nodes are stored in float, even if traced in double.
+    // Nodes are stored in float, even if traced in double, so the rounding is always that of float.
     constexpr S rounding = S(sizeof(S) == 4 ? 4 : 2) * S(std::numeric_limits<float>::epsilon());
     const S noise = S(2) * static_cast<S>(batch.camera.settings.tolerance) + rounding;
     const T size = sqrt(dot(miss, miss) + T(S(1e-30)));

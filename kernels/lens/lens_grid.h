@@ -137,7 +137,7 @@ ERGO_HD PatchValue patch_value(const float* nodes, const int* corners, float u, 
     const float* node = nodes + floats_a_node * corners[corner];
     const int i = 2 * (corner & 1);
     const int j = 2 * (corner >> 1);
-    // Along γ first: the value and the derivative along s, each with its rate along γ.
+    // Sums along γ first: the value and the derivative along s, each with its rate along γ.
     const Quad value = load_quad(node);
     const Quad by_gamma = load_quad(node + 4);
     const Quad by_s = load_quad(node + 8);

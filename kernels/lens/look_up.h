@@ -55,12 +55,12 @@ ERGO_HD GridSky<T> read_blended(const LensBlend& lens, const ChartPosition<Dual<
 //! `aberration` converts the observer's directions to the rain frame of the grids. Pixels of
 //! flagged leaves are traced.
 struct LookUpBatch {
-  PixelBatch pixels;  //!< its edge is unused: the chart has the edge
+  PixelBatch pixels;  //!< pixels to read; the batch's edge is not used, because the chart contains the edge
   LensBlend lens;
   AberrationOf<float> aberration;
 };
 
-//! The same block of both eyes' images, which share one projection.
+//! The same block of rows in both eyes' images, which share one projection.
 struct LookUpPairBatch {
   LookUpBatch eyes[2];
 };

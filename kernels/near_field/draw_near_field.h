@@ -19,10 +19,11 @@ enum class DiskDrawing { none, plain, pattern };
 struct NearFieldBatch {
   PixelBatch pixels;  //!< pixels to draw over; the members for outputs and the edge are not used
   DiskDrawing drawing;
-  DiskAppearance disk;  //!< only used if the disk is drawn
-  ShellTable shells;    //!< none are drawn if it is empty
+  DiskAppearance disk;  //!< how the disk looks; only used if the disk is drawn
+  ShellTable shells;    //!< shells to draw; none if the table is empty
   float* rgba;
-  //! Composited with disk and shells in the order of distance, if there are any.
+  //! Objects to composite with disk and shells in the order of distance; without objects if its
+  //! `rgba` is nullptr.
   ObjectLayer objects;
   //! Whether to draw only the pixels that show objects. The others are then drawn from the disk's
   //! grid (DiskLookUpBatch).
@@ -70,8 +71,8 @@ inline void dispatch_near_field(const NearFieldBatch& batch, const Action& actio
   }
 }
 
-//! Returns the counter's name for a variant of drawing the near field; each variant is compiled
-//! separately. Returns nullptr if there is nothing to draw.
+//! Returns the work counter's name for a variant of drawing the near field; each variant is
+//! compiled separately. Returns nullptr if there is nothing to draw.
 constexpr const char* near_field_name(DiskDrawing disk, bool shells) {
   constexpr const char* names[3][2] = {{nullptr, "draw_shells"},
                                        {"draw_disk", "draw_shells, disk"},

@@ -6,8 +6,8 @@
 
 namespace ergodome::inline ERGO_TARGET {
 
-//! Objects as a pack of pixels sees them. They were drawn before (kernels/objects), with one light
-//! and one depth a pixel.
+//! Objects as a pack of pixels sees them. They have already been drawn (kernels/objects), with one
+//! color and one depth per pixel.
 template <class T, bool Objects>
 class LayerSight {
  public:
@@ -25,9 +25,9 @@ class LayerSight {
   //! Returns the lanes whose object has not been added yet.
   [[nodiscard]] ERGO_HD Mask waiting() const { return waiting_ > T(S(0)); }
 
-  //! Adds the object of lane `i`, unless it is already added, if its Mino time is less than `time`,
-  //! which means that it is nearer. (For `flat` eyes, the times are minus the nearness.) Before
-  //! that, calls nearer(lane, time) to add what is nearer than the object.
+  //! Adds the object of lane `i` if it is nearer than `time`: if its Mino time is less. Does
+  //! nothing if the object has already been added. (For `flat` eyes, the times are minus the
+  //! nearness.) Before adding it, calls nearer(lane, time) to add what is nearer than the object.
   template <class Nearer>
   ERGO_HD void until(int i, S time, const Nearer& nearer, SeenLanes<T>& seen) {
     if (!(lane(waiting_, i) > S(0))) {

@@ -3,7 +3,7 @@
 #include "kernels/disk/disk_grid.h"
 #include "kernels/near_field/draw_near_field.h"
 
-// Draws the disk from a grid.
+// The batch that draws the disk from a grid.
 
 namespace ergodome {
 
@@ -15,7 +15,7 @@ struct DiskLookUpBatch {
   AberrationOf<float> aberration;
 };
 
-//! Returns the counter's name for drawing the disk from a grid.
+//! Returns the work counter's name for drawing the disk from a grid.
 constexpr const char* disk_look_up_name(DiskDrawing disk) {
   return disk == DiskDrawing::pattern ? "look_up_disk, pattern" : "look_up_disk";
 }

@@ -92,7 +92,7 @@ struct LookUpDisk {
     return seen;
   }
 
-  //! A sample: its width as a fraction of a pixel's, and its lane.
+  //! A sample: its width as a fraction of a pixel's width, and its lane.
   struct Sample {
     float pixel;
     int lane;

@@ -42,12 +42,12 @@ ERGO_HD void expand_drag(ScalarOf<T> spin, const NearRay<T>& ray, const RealOf<T
   const T skew = a2 * ray.energy - spin * l;
   constexpr int time_terms = has_delay(Parts) ? Order : 1;
   T moment[time_terms];   // E (1 + a² u²) - a L u²
-  T product[time_terms];  // the line above times 1 + a² u²
+  T product[time_terms];  // `moment` times 1 + a² u²
   T radius[time_terms];   // r = 1/u
   T radius_square[time_terms];
   T lapse[Order];  // Δ u²
   T drag_rate[Order];
-  T time_rate[time_terms];  // of the term with Δ
+  T time_rate[time_terms];  // rate of the term of t' that is divided by Δ
   const T inverse_u = S(1) / s.u[0];
   T inverse_lapse(S(1));
   ERGO_UNROLL

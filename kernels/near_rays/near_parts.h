@@ -50,7 +50,8 @@ struct NearCoefficients {
   T polar;        //!< C / s²; C: polar constant, s = 1 / inverse_scale
   T spring;       //!< a² E² / s²; s = 1 / inverse_scale
   RealOf<T> inverse_scale;
-  //! Lanes whose azimuth and time are in ingoing Kerr coordinates: counts_ingoing().
+  //! Lanes whose azimuth and time are in ingoing Kerr coordinates, as counts_ingoing() returns
+  //! them.
   MaskOf<RealOf<T>> ingoing;
 };
 

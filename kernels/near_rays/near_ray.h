@@ -125,9 +125,9 @@ ERGO_HD MaskOf<RealOf<T>> begins_within(ScalarOf<T> spin, const NearRay<T>& ray)
   return value_of(ray.u) * horizon_r > RealOf<T>(S(1));
 }
 
-//! Returns the lanes whose light has been outside the horizon: all that begin outside, and of those
-//! that begin within it the light that came in through it, with E (r_+² + a²) - a L > 0. All other
-//! light is from another universe, and dark.
+//! Returns the lanes whose light has been outside the horizon. These are all lanes that begin
+//! outside it, and of those that begin within it the ones whose light came in through it, with E
+//! (r_+² + a²) - a L > 0. All other light is from another universe, and dark.
 template <class T>
 ERGO_HD MaskOf<RealOf<T>> has_been_outside(ScalarOf<T> spin, const NearRay<T>& ray) {
   using S = ScalarOf<T>;

@@ -37,13 +37,15 @@ ERGO_HD RadialFate<RealOf<T>> radial_fate(ScalarOf<T> spin, const NearRay<T>& ra
   return {turns, u};
 }
 
-//! Returns the rays that go inwards for good: nothing between here and the horizon turns them.
+//! Returns the rays that go inwards for good: nothing between their position and the horizon turns
+//! them.
 template <class Real>
 ERGO_HD MaskOf<Real> keeps_inwards(const RadialFate<Real>& fate, const Real& u, const Real& u_rate) {
   return (u_rate > Real(ScalarOf<Real>(0))) & !(fate.turns & (u < fate.barrier_u));
 }
 
-//! Returns the rays that go outwards for good: nothing between here and infinity turns them.
+//! Returns the rays that go outwards for good: nothing between their position and infinity turns
+//! them.
 template <class Real>
 ERGO_HD MaskOf<Real> keeps_outwards(const RadialFate<Real>& fate, const Real& u, const Real& u_rate) {
   return (!(u_rate > Real(ScalarOf<Real>(0)))) & !(fate.turns & (u > fate.barrier_u));

@@ -67,7 +67,8 @@ ERGO_HD void take_mean(const MaskOf<T>& lanes, const SeenLanes<T>& sum, SeenLane
 }
 
 //! Composites what is seen over the pixels first, first + 1, ... of a block of `count`. `inside`:
-//! fraction of each pixel that is inside the image; what is added to it is multiplied by that.
+//! fraction of each pixel that is inside the image; the light added to a pixel is multiplied by its
+//! fraction.
 template <class T>
 ERGO_HD void lay_over(const SeenLanes<T>& seen, const T& inside, int first, int count, float* pixels) {
   for (int i = 0; i < RealTraits<T>::lane_count && first + i < count; ++i) {

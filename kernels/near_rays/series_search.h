@@ -5,7 +5,7 @@
 // Steps along a ray's series, and the times of events within them.
 namespace ergodome::inline ERGO_TARGET {
 
-//! How far rays are followed, and how precisely.
+//! Limits for following rays through the near field: the precision and the number of their steps.
 template <class S>
 struct NearLimits {
   S tolerance;  //!< maximum local error of a step, as an angle [rad]
@@ -15,7 +15,7 @@ struct NearLimits {
 namespace detail {
 
 //! Returns the h in [from, to] at which a series passes through zero, coming from the sign of
-//! `side`. It must do so exactly once. Dual parts are exact, too.
+//! `side`. The series must do so exactly once. Derivatives of dual numbers are exact, too.
 template <int Order, class T>
 ERGO_HD T time_to_zero(const T (&c)[Order], const RealOf<T>& side, const RealOf<T>& from, const RealOf<T>& to) {
   using Real = RealOf<T>;

@@ -19,7 +19,7 @@ struct RayEnds {
 };
 
 //! Turns a direction at `camera` by Newton's method until its ray comes to the target. Returns
-//! false if it does not, or goes another way round the hole.
+//! false if no ray does, or if the ray goes another way round the hole.
 ERGO_HD bool aim_at(const CameraStation& camera, const RayTarget& target, Vector3<double>& direction, Miss& miss) {
   constexpr double longest_step = 0.3;
   for (int round = 0; round < max_aim_rounds; ++round) {

@@ -102,9 +102,9 @@ ERGO_HD Vector3<double> turned_about_axis(const Vector3<double>& v, double angle
 }
 
 //! Estimates the angle by which a hole of spin 1 drags light round on its way, and with it the
-//! points where light focuses [rad]. It grows with the angle between the target and the direction
-//! behind the hole: from `behind`, where both ways round meet, to `all_round`, where the second way
-//! has gone all round. The two values are those that find most rays in fewest steps.
+//! points where light focuses [rad]. The angle grows from `behind`, for a target directly behind
+//! the hole, where both ways round meet, to `all_round`, where the second way has gone all round
+//! the hole. The two values are those that find most rays in fewest steps.
 ERGO_HD double carried_round(const RayEnds& ends) {
   constexpr double behind = 0.2;
   constexpr double all_round = 1.3;
@@ -115,9 +115,9 @@ ERGO_HD double carried_round(const RayEnds& ends) {
 }
 
 //! Finds the ray by raising the spin from 0 to the frame's in steps; the first step tries all of
-//! it. While a part of the spin is missing, the target is turned about the axis, towards +φ for a
-//! positive spin, by the angle that this part drags light, so that it stays on its side of the
-//! focus.
+//! it. While a part of the spin is missing, the target is rotated about the axis by the angle that
+//! this part would drag light, towards +φ for a positive spin. So the target stays on its side of
+//! the points where light focuses.
 ERGO_HD bool raise_spin(const LocalFrame& frame, const RayEnds& ends, int order, EdgePosition& at,
                         Vector3<double>& direction, Miss& miss) {
   constexpr double smallest_part = 1.0 / 16.0;

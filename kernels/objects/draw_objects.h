@@ -22,28 +22,28 @@ struct ObjectScene {
   MeshScene scene;
   const SurfaceAppearance* appearances;  //!< one per mesh
   LampSource lamp;                       //!< strength 0: no lamp
-  //! First guesses, one per mesh: corrections of the lamp's rays to its middle.
+  //! First guesses, one per mesh: corrections of the lamp's rays to the mesh's middle.
   const LampCorrections* guesses;
   MeshLimits limits;
   bool shifted;   //!< light is multiplied by g⁴
-  bool retarded;  //!< at least one mesh is seen where it was when its light left (retarded)
+  bool retarded;  //!< at least one mesh is `retarded`: seen where it was when its light left
   //! Camera of an omnidirectional eye, used if it has coefficients. It then replaces `camera`,
   //! which is the head's and only supplies spin and azimuth. Directions are then in the view's
   //! axes.
   OmniCameraOf<double> omni;
 };
 
-//! The objects that pixels of a square tile may see.
+//! Kinds of objects that the pixels of a square tile may see.
 enum class TileMark : std::uint8_t {
   nothing,
   objects,
   stretched,  //!< objects that are far narrower across the shadow's edge than along it
-  fine,       //!< an object that is not much larger than a pixel there
-  thin,       //!< a stretched object that is not much wider than a pixel across
+  fine,       //!< an object that is not much larger than a pixel's footprint at the object
+  thin,       //!< a stretched object that is not much wider than a pixel across the shadow's edge
   edge        //!< the shadow's edge is in the tile or next to it, so anything may be seen
 };
 
-//! Tiles of an image to be marked.
+//! Marks the tiles of an image with what their pixels may see.
 struct ObjectTileBatch {
   ObjectScene objects;
   const std::int32_t* tiles;  //!< x and y of each tile's first pixel
@@ -62,16 +62,18 @@ inline constexpr std::int32_t pixel_of_several = -2;
 //! Positions of the rays in a pixel.
 enum class PixelPattern : std::uint8_t {
   grid,
-  slices  //!< along the shadow's edge; thinner nearer to it
+  slices  //!< thin strips along the shadow's edge, thinner nearer to it
 };
 
-//! Pixels to be drawn.
+//! Draws objects in the given pixels.
 struct ObjectPixelBatch {
   ObjectScene objects;
   const std::int32_t* pixels;  //!< x and y of each pixel
   int count;
   PixelPattern pattern;
-  int samples;  //!< along each side of a pixel, or the square root of the number of slices; even
+  //! Number of samples along each side of a pixel, or the square root of the number of slices;
+  //! even.
+  int samples;
   //! Four per pixel: linear light times the fraction of the pixel that objects cover, and that
   //! fraction.
   float* rgba;
@@ -96,7 +98,7 @@ inline void dispatch_objects(const Batch& batch, const Action& action) {
 //! An eye of the stereo model `flat`. It sees what the head's rays meet, at its position in the
 //! head's flat space (kernels/eyes/flat/eye_path.h).
 struct FlatEyeSight {
-  Vector3<double> eye;  //!< relative to the head, in the observer's frame [M]; not 0
+  Vector3<double> eye;  //!< position of the eye relative to the head, in the observer's frame [M]; not 0
   double max_w;         //!< nothing that is nearer to the eye than 1 / max_w is drawn [1/M]
   //! Maximum nearness of the region around the hole, in which neighboring rays separate: all light
   //! from there comes from farther than 1 / max_hole_w [1/M].
@@ -132,7 +134,7 @@ struct FlatObjectTileBatch {
 
 //! Pixels of the image of an eye of the stereo model `flat`.
 struct FlatObjectPixelBatch {
-  ObjectPixelBatch pixels;  //!< `time`: minus the mean nearness
+  ObjectPixelBatch pixels;  //!< its member `time` holds minus the mean nearness
   FlatEyeSight sight;
   const FlatReach* reach;  //!< one per pixel: part of the line of sight on which objects may be
 };

@@ -6,7 +6,8 @@
 // Illuminates surfaces by a lamp, about a hole of any spin.
 namespace ergodome {
 
-//! Light of a lamp that arrives at a point, and its surroundings, on both ways round the hole.
+//! Light of a lamp that arrives at a point of a surface on both ways round the hole, with the frame
+//! in which it is measured.
 struct LampLight {
   LocalFrame frame;
   Vector3<double> velocity;      //!< velocity of the surface in the frame; 0 if it is not needed
@@ -57,7 +58,7 @@ ERGO_HD double strength_of(const LampSource& lamp, const LocalFrame& frame, cons
 }
 
 //! Converts the velocity dx/dt of a point of a surface (pseudo-Cartesian) to the frame. Returns 0
-//! where nothing can move like that.
+//! where nothing can move at this velocity.
 ERGO_HD Vector3<double> velocity_in(const LocalFrame& frame, const Vector3<double>& point,
                                     const Vector3<double>& velocity) {
   const double beside = ::sqrt(point.x * point.x + point.y * point.y);
@@ -99,9 +100,9 @@ ERGO_HD double illuminance(const LampLight& light, const Vector3<double>& normal
 //! A lit point of a surface.
 struct LitSurfacePoint {
   Vector3<double> point;     //!< pseudo-Cartesian [M]
-  Vector3<double> normal;    //!< of unit length
+  Vector3<double> normal;    //!< outward normal of unit length
   Vector3<double> velocity;  //!< velocity dx/dt, pseudo-Cartesian
-  Vector3<double> start;     //!< slightly off the surface, so that it does not shadow itself
+  Vector3<double> start;     //!< point slightly off the surface, so that the surface does not shadow itself
 };
 
 namespace detail {
@@ -126,9 +127,9 @@ ERGO_HD bool lamp_ray(const LampSource& lamp, const LampLight& light, const LitS
 }  // namespace detail
 
 //! Returns the light that arrives at a point of a surface on both ways round the hole, with
-//! shadows. `limits.delay`: coordinate time from the point to the camera [M]. The rays are those to
-//! `start`: a ray that goes round the hole and is turned by a tiny angle ends far from the lamp,
-//! and would meet objects that it should pass.
+//! shadows. `limits.delay`: coordinate time from the point to the camera [M]. The rays end exactly
+//! at `start`, not at the point itself: a ray round the hole that is turned by even a tiny angle
+//! would end far from the lamp, and meet objects that it should pass.
 ERGO_HD_CALLED LampLight lamp_light(Spacetime spacetime, const LampSource& lamp, const LitSurfacePoint& at,
                                     const MeshScene& scene, const MeshLimits& limits, LampCorrections& corrections) {
   // Light below this fraction of what has been found already is left out, as no display shows it.

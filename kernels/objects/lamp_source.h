@@ -7,8 +7,8 @@ namespace ergodome {
 
 //! How light weakens with distance.
 enum class LampFalloff {
-  lens,      //!< with the spread of its bundles of rays in curved space
-  published  //!< with the square of its travel time: Müller, Schulz & Weiskopf (2021), eq. 20
+  lens,      //!< as bundles of rays spread in curved space
+  published  //!< with the square of the light's travel time: Müller, Schulz & Weiskopf (2021), eq. 20
 };
 
 //! A point light at rest.

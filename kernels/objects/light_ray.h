@@ -12,17 +12,18 @@ struct LightRay {
   //! (e_r, e_θ, e_φ).
   Vector3<double> direction;
   double travel_time;  //!< [M]
-  //! Spread of a narrow bundle of rays that converge at one end of the ray: the cross-section at
-  //! the other end, divided by the solid angle where they converge and by the square of the energy
-  //! that an observer there measures of a photon with energy 1 at infinity [M²]. It is the same if
-  //! the ends are exchanged (Etherington's reciprocity) and for all observers.
+  //! Spread of a narrow bundle of rays that converge at one end of the ray [M²]. It is the
+  //! cross-section of the bundle at the other end, divided by the bundle's solid angle at the end
+  //! where it converges, and by the square of the energy that an observer there measures of a
+  //! photon with energy 1 at infinity. The spread is the same if the ends are exchanged
+  //! (Etherington's reciprocity) and for all observers.
   double spread;
 };
 
 //! Which properties of a ray between a lamp and a point are computed.
 enum class LightRayParts {
-  way,    //!< direction and time
-  spread  //!< also the spread of its bundle
+  way,    //!< direction and travel time
+  spread  //!< direction, time and the spread of the ray's bundle
 };
 
 inline namespace ERGO_TARGET {
@@ -30,7 +31,7 @@ inline namespace ERGO_TARGET {
 namespace detail {
 
 //! Returns the direction from which arriving light seems to come, for the observer without angular
-//! momentum there.
+//! momentum at the point of arrival.
 ERGO_HD Vector3<double> seen_from(const LocalFrame& frame, double r, const Arrival& arrival) {
   const Vector3<double> turn = in_axes(frame, arrival.polar_momentum);
   const Vector3<double>& by = frame.normal_by;

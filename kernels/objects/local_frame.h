@@ -39,7 +39,7 @@ ERGO_HD LocalFrame local_frame(Spacetime spacetime, const Vector3<double>& point
   return frame;
 }
 
-//! Returns a surface's unit normal as the observer there measures it.
+//! Returns a surface's unit normal as the frame's observer measures it.
 ERGO_HD Vector3<double> measured_normal(const LocalFrame& frame, const Vector3<double>& normal) {
   const Vector3<double> n = in_axes(frame, normal);
   const Vector3<double> by = {n.x * frame.normal_by.x, n.y * frame.normal_by.y, n.z * frame.normal_by.z};

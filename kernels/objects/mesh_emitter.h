@@ -9,8 +9,8 @@ namespace ergodome::inline ERGO_TARGET {
 //! Returns ν_emitted / ν_observed of light from matter that moves with dx/dt = `velocity`
 //! (pseudo-Cartesian, in the hole's time), at a hit of a ray of energy E and axial angular momentum
 //! L_z [M] at infinity: -p_μ U^μ = U^t (E - p_r dr/dt - p_θ dθ/dt - L dφ/dt). Where nothing can
-//! move like that (faster than light, at rest in the ergosphere), returns the ratio for an observer
-//! without angular momentum.
+//! move at this velocity (faster than light, or at rest in the ergosphere), returns the ratio for
+//! an observer without angular momentum.
 ERGO_HD double emitted_frequency(Spacetime spacetime, const MeshHit& hit, double energy, double axial_angular_momentum,
                                  const Vector3<double>& velocity) {
   const double spin = spacetime.spin;

@@ -6,14 +6,14 @@
 // Finds the triangle that a ray's path meets first.
 namespace ergodome {
 
-//! Where light leaves a mesh.
+//! The point of a mesh that a ray meets, from which its light comes.
 struct MeshHit {
   int mesh = -1;                 //!< -1: no mesh
   std::uint32_t tree_index = 0;  //!< index of the triangle in its TriangleTree
   double weight_1 = 0.0;         //!< weights of the second and the third corner; the first has the rest
   double weight_2 = 0.0;
   Vector3<double> point;  //!< pseudo-Cartesian [M]
-  //! Coordinate time from the hit to the camera [M]; only with azimuth_and_delay.
+  //! Coordinate time from the hit to the camera [M]; only with NearParts::azimuth_and_delay.
   double delay = 0.0;
   //! Mino time from the hit to the camera, for a photon seen with energy 1 [1/M].
   double time = 0.0;
@@ -122,7 +122,7 @@ struct PieceCrossings {
   }
 };
 
-//! Searches a step piece by piece.
+//! Searches the path of a step for meshes, piece by piece.
 template <int Order, NearParts Parts>
 struct StepSearch {
   const PathStep<Order, Parts, double>& step;
@@ -144,9 +144,9 @@ struct StepSearch {
     // Maximum distance of a piece from its chord (stray), as a fraction of the radius of a mesh
     // that it comes near.
     constexpr double fine = 0.02;
-    // Maximum error of the piece's parabola, as such a fraction. A smaller limit leads to more
-    // pieces. A larger one leads to more triangles that the parabola cannot exclude, only the path
-    // itself.
+    // Maximum error of the piece's parabola, also as a fraction of the mesh's radius. A smaller
+    // limit leads to more pieces. A larger limit leads to more triangles that only the path itself,
+    // not the parabola, can exclude.
     constexpr double finest = 3e-4;
     const double stray = p.stray();
     bool near = false;

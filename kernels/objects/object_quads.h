@@ -80,7 +80,7 @@ struct ObjectQuads {
     return batch.pattern == PixelPattern::grid || quad % quads_alike == 0;
   }
 
-  //! Returns each pixel's direction at a position of a quad.
+  //! Returns the direction of each pixel's ray at position k of quad number `quad`.
   ERGO_HD Vector3<T> direction(int first, const PixelPositions<lanes>& positions, int quad, int k) const {
     Vector3<T> n = {T(0.0), T(0.0), T(0.0)};
     for (int i = 0; i < lanes; ++i) {
@@ -94,7 +94,7 @@ struct ObjectQuads {
     return n;
   }
 
-  //! Traces the rays of some quads of each pixel.
+  //! Traces the rays of `count` quads of each pixel, from quad number `quad` on.
   ERGO_HD void look_at_quads(int first, const PixelPositions<lanes>& positions, int quad, int count, LampSight& lamp,
                              PixelSum (&sums)[lanes]) const {
     constexpr int maximum = Rays::max_quads * quad_size;
@@ -163,7 +163,7 @@ struct ObjectQuads {
     const bool textured = appearance.surface.parts[at.part].textured;
     Vector3<float> light = surface_color(appearance, at, textured ? footprint_of(quad, k, at) : OverlayFootprint{});
     if (appearance.lit && objects.lamp.strength > 0.0) {
-      // The samples of a quad share the lamp's light, but not the surface.
+      // The samples of a quad share the lamp's light, but may be on different meshes.
       if (lit.mesh != hit.mesh) {
         MeshLimits limits = objects.limits;
         limits.delay = hit.delay;

@@ -15,9 +15,9 @@ struct PathPiece {
 
   ERGO_HD double middle_h() const { return 0.5 * (from_h + to_h); }
   ERGO_HD double chord() const { return ::sqrt(dot(to - from, to - from)); }
-  //! Returns the stray, a bound of the path's distance from its chord: twice that of the middle.
-  //! The middle's displacement along the chord counts only beyond a quarter of the chord's length,
-  //! where the path turns back.
+  //! Returns the stray, an upper bound of the path's distance from its chord: twice the distance of
+  //! the piece's middle from the chord's middle, across the chord. A displacement along the chord
+  //! counts only beyond a quarter of the chord's length, where the path turns back.
   ERGO_HD double stray() const {
     const Vector3<double> bow = middle - 0.5 * (from + to);
     const double along = unevenness();
@@ -25,7 +25,7 @@ struct PathPiece {
     return 2.0 * (::sqrt(dot(aside, aside)) + ::fmax(::fabs(along) - 0.25, 0.0) * chord());
   }
   //! Returns the displacement of the piece's middle from the chord's, along the chord, as a
-  //! fraction of its length.
+  //! fraction of the chord's length.
   ERGO_HD double unevenness() const {
     const Vector3<double> way = to - from;
     const double square = dot(way, way);
@@ -43,8 +43,8 @@ ERGO_HD double distance_from_segment(const Vector3<double>& point, const Vector3
   return ::sqrt(dot(rest, rest));
 }
 
-//! Maximum stray and unevenness of a piece, as fractions of its chord, for which the position of
-//! its middle shows how far it is from its chord; visit_pieces cuts other pieces.
+//! Maximum stray and unevenness of a piece, as fractions of its chord. Up to these, the position of
+//! a piece's middle shows how far the piece is from its chord; visit_pieces cuts other pieces.
 inline constexpr double straight_enough = 0.1;
 inline constexpr double even_enough = 0.15;
 

@@ -7,13 +7,14 @@
 // Steps of a ray's path as Taylor series, and the loop that follows rays past objects.
 namespace ergodome {
 
-//! Radii between which objects are [M].
+//! Range of radii that contains all objects [M].
 struct RadialBounds {
   double minimum;  //!< outside the horizon
   double maximum;
 };
 
-//! How far rays are followed, and how precisely.
+//! Limits for following rays past objects: precision, number of steps, and the delay at their
+//! start.
 struct MeshLimits {
   double tolerance;  //!< maximum local error of a step, as an angle [rad]
   int step_limit;
@@ -45,7 +46,7 @@ struct PathStep {
     return {along * axes[0].x + across * axes[1].x, along * axes[0].y + across * axes[1].y, z};
   }
 
-  //! Returns the pseudo-Cartesian position [M].
+  //! Returns the pseudo-Cartesian position on the path at time h [M].
   ERGO_HD Vector3<T> point(const T& h) const {
     const auto& s = series;
     const T u = series_value(s.u, h);
@@ -60,7 +61,7 @@ struct PathStep {
     return scale * turned(series_value(s.drag, h), series_rate(s.x, h), series_rate(s.y, h), series_rate(s.z, h));
   }
 
-  //! Returns the affine distance from the camera [M]; only with parts that carry it.
+  //! Returns the affine distance from the camera [M]; only valid if Parts includes the distance.
   ERGO_HD T distance(const T& h) const { return series_value(series.distance, h); }
 
   //! Returns the coordinate time from the point at h to the camera [M]; 0 if it is not carried.
@@ -110,9 +111,9 @@ ERGO_HD void take_lane(const NearSeries<Order, T, Parts>& all, int i, NearSeries
   }
 }
 
-//! Returns a step's length. For light that leaves for good, ends the step slightly beyond the
-//! radius to which positions are clamped: no objects are there, and a path with a kink would be cut
-//! into many pieces.
+//! Returns the length of a step, which is at most `length`. For light that leaves for good, ends
+//! the step slightly beyond the radius to which positions are clamped: no objects are there, and a
+//! path with a kink would be cut into many pieces.
 template <int Order, NearParts Parts, class T>
 ERGO_HD double length_within(const PathStep<Order, Parts, T>& step, double length) {
   const auto is_beyond = [&](double h) { return value_of(series_value(step.series.u, T(h))) < step.min_u; };
@@ -181,7 +182,7 @@ ERGO_HD MaskOf<RealOf<T>> follow_path(ScalarOf<T> spin, double cosine_phi, doubl
   detail::NearCoefficients<T> coefficients = detail::near_coefficients(spin, ray, inverse_scale);
   detail::NearSeries<Order, T, Parts> s;
   detail::start_series(ray, inverse_scale, s);
-  // Where objects may be, azimuth and time are in Boyer-Lindquist coordinates.
+  // Azimuth and time must be in Boyer-Lindquist coordinates where objects may be.
   const MaskOf<Real> coming_out = coefficients.ingoing & (value_of(s.u[0]) > innermost);
   detail::count_on_outside(spin, coefficients.ingoing & !coming_out, s);
   coefficients.ingoing = coming_out;

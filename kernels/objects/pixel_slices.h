@@ -96,7 +96,8 @@ class PixelSlices {
   double x_ = 1.0;
   double y_ = 0.0;
   double edge_px_ = 0.0;
-  double first_ = 0.0;  //!< range of the pixel, as root() of the distance outside the edge
+  //! The pixel's range is first_ to last_, as root() of the distance outwards from the edge.
+  double first_ = 0.0;
   double last_ = 0.0;
 };
 

@@ -20,7 +20,7 @@ struct PlacedMesh {
   Vector3<double> position;  //!< position at the camera's time
   double rows[3][3];         //!< rotation from the mesh's axes to space
   double size;               //!< M per unit of the mesh
-  MeshOrbit orbit = {};      //!< its motion
+  MeshOrbit orbit = {};      //!< motion of the mesh
   //! Whether the mesh is seen at the position that it had when the light left it, not at its
   //! present position.
   bool retarded = false;

@@ -9,13 +9,13 @@
 // Materials and textures of meshes, and the light of a point on them.
 namespace ergodome {
 
-//! A corner of triangles.
+//! A vertex of a surface, which several triangles may share as a corner.
 struct SurfaceVertex {
   float position[3];
   float normal[3];  //!< of unit length, outwards
   //! u to the right, v upwards; the image, or one checkerboard, is 0 to 1.
   float texture[2];
-  float color[3] = {1.0F, 1.0F, 1.0F};  //!< linear light; multiplies that of its part
+  float color[3] = {1.0F, 1.0F, 1.0F};  //!< linear light; multiplies the color of the SurfacePart
 };
 
 //! How an image continues beyond its sides.
@@ -40,7 +40,7 @@ struct Surface {
 //! How a placed mesh looks.
 struct SurfaceAppearance {
   Surface surface;
-  Vector3<float> factor;  //!< multiplies all its colors
+  Vector3<float> factor;  //!< multiplies all colors of the surface
   float columns, rows;    //!< number of columns and rows of a checkerboard; 0: none
   float dark;             //!< factor on the light of every other field
   bool lit;               //!< reflects the scene's light by Lambert's law
@@ -48,11 +48,11 @@ struct SurfaceAppearance {
 
 //! A point of a surface.
 struct SurfacePoint {
-  Vector3<double> normal;  //!< interpolated from its corners, of unit length, in space
-  //! From the flat triangle to the smooth surface that its normals describe [M].
+  Vector3<double> normal;  //!< unit normal in space, interpolated from the triangle's corners
+  //! Vector from the flat triangle to the smooth surface that the corners' normals describe [M].
   Vector3<double> lift;
   float u, v;
-  Vector3<float> color;  //!< interpolated from its corners
+  Vector3<float> color;  //!< color interpolated from the triangle's corners
   std::uint32_t part;
 };
 
@@ -102,8 +102,9 @@ ERGO_HD SurfacePoint surface_point(const Surface& surface, const PlacedMesh& mes
           surface.part_of[triangle]};
 }
 
-//! Position of a texture coordinate on the image, 0 to 1, and the sign of derivatives along it: -1
-//! where the image is repeated as its mirror image, otherwise 1.
+//! Position on the image, 0 to 1, that belongs to a texture coordinate, and the sign that
+//! derivatives along the coordinate get: -1 where the image is repeated as its mirror image,
+//! otherwise 1.
 struct WrappedTexture {
   float at, step;
 };

@@ -3,11 +3,11 @@
 #include "kernels/objects/draw_objects.h"
 #include "kernels/objects/object_sight.h"
 
-// Finds what tiles of an image may see of objects, by the ray through a tile's middle and its
+// Finds which objects the pixels of a tile may see, by the ray through the tile's middle and its
 // derivatives per pixel.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Order and precision of the rays of tiles.
+//! Order of the Taylor series, and precision, of the rays through the middles of tiles.
 inline constexpr int mark_order = 8;
 inline constexpr double mark_tolerance = 1e-6;
 //! Factor on the size of linear footprints, since real ones bend.
@@ -73,7 +73,7 @@ ERGO_HD double max_r_of_tiles(const ObjectScene& objects, const Vector3<Dual<T>>
 //! same time.
 struct PixelOnPath {
   double width;              //!< distances of the neighbors in x and in y of the picture, added
-  double across, along;      //!< parts of `width` across the path and along it
+  double across, along;      //!< components of `width` across the path and along it
   double widest, narrowest;  //!< maximum and minimum distance of a neighbor, across the path
   Vector3<double> narrow;    //!< direction of `narrowest`
 };
@@ -99,7 +99,7 @@ ERGO_HD PixelOnPath pixel_on_path(const Vector3<Dual<double>>& position, const V
   const double xy = dot(x_across, y_across);
   const double spread = ::sqrt(0.25 * (xx - yy) * (xx - yy) + xy * xy);
   const double middle = 0.5 * (xx + yy);
-  // The longest of all s x + t y with s² + t² = 1.
+  // Angle of the (s, t) for which s x + t y is longest, with s² + t² = 1.
   const double turn = 0.5 * ::atan2(2.0 * xy, xx - yy);
   const Vector3<double> wide = ::cos(turn) * x_across + ::sin(turn) * y_across;
   const Vector3<double> narrow = cross(way, wide);
@@ -121,7 +121,7 @@ ERGO_HD double reach_out_of_plane(const PixelOnPath& pixel, double within_px, do
   return within_px * (::sqrt(2.0) * pixel.narrowest + (turned + within_px * turn_per_px) * pixel.widest);
 }
 
-//! Pixels around that of a ray.
+//! The range of pixels around a ray's pixel for which the ray is representative.
 struct Neighbours {
   double half_px;      //!< maximum distance of these pixels in the picture
   double turn_per_px;  //!< rotation of the planes of their rays from pixel to pixel [rad]

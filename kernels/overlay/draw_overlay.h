@@ -14,12 +14,12 @@ namespace ergodome {
 //! Side of the square tiles into which pictures are divided for drawing overlays [px].
 inline constexpr int overlay_tile_px = 32;
 
-//! An overlay to draw over a picture, on those of its tiles that it may touch. Arrays lie in the
-//! backend's memory.
+//! An overlay to draw over a picture, on those tiles of the picture that the overlay may touch.
+//! Arrays lie in the backend's memory.
 //!
 //! The overlay covers displayed values, not light: the picture's light is converted to display
 //! values by its tone, covered, and converted back. So an overlay's colors do not depend on the
-//! exposure. Where it is drawn, light is limited to what shows as white.
+//! exposure. Where the overlay is drawn, light is limited to what displays as white.
 struct OverlayBatch {
   float* rgba;  //!< light and coverage of the whole picture
   ProjectionOf<float> projection;

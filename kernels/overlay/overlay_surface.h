@@ -20,7 +20,7 @@ enum class OverlayShape : std::int32_t { bent, flat, fisheye };
 //! Position of an overlay. Its axes are unit vectors in those of the view (x right, y up, z back).
 struct OverlaySurface {
   OverlayShape shape;
-  Vector3<float> across;  //!< direction to its right, in its middle
+  Vector3<float> across;  //!< direction to the overlay's right, at its middle
   Vector3<float> up;      //!< bent: the pole of its latitudes; flat: upwards; fisheye: the zenith
   Vector3<float> ahead;   //!< bent: azimuth 0 on the equator; flat: its middle; fisheye: the front
   //! Bent: cosine of the middle's latitude; fisheye: half the field of view [rad].
@@ -28,7 +28,7 @@ struct OverlaySurface {
   float middle;  //!< bent: Mercator's latitude of the middle
   float width;   //!< bent: [rad]; flat: on the plane at distance 1
   float height;
-  Vector3<float> bound_axis;  //!< axis of a cone that contains all of it
+  Vector3<float> bound_axis;  //!< axis of a cone that contains the whole overlay
   float bound_cosine;         //!< cosine of the cone's half angle
 };
 
@@ -70,7 +70,8 @@ ERGO_HD void project_to_surface(const OverlaySurface& surface, const Vector3<Dua
       break;
     }
     case OverlayShape::flat: {
-      // Directions to the side and behind are moved far out.
+      // Keeps the divisor positive for directions to the side and behind, which are outside the
+      // surface's bound.
       const D ahead = {maximum(z.value, T(1e-3F)), z.along_x, z.along_y};
       s = x / ahead * T(1.0F / surface.width) + T(0.5F);
       t = T(0.5F) - y / ahead * T(1.0F / surface.height);
@@ -79,7 +80,7 @@ ERGO_HD void project_to_surface(const OverlaySurface& surface, const Vector3<Dua
     case OverlayShape::fisheye: {
       const D square = x * x + z * z;
       const auto near_zenith = (square.value < T(1e-6F)) & (y.value > T(0.0F));
-      // Near the zenith the angle equals its sine.
+      // Near the zenith the angle equals its sine; the minimum avoids 0 / 0 in the other form.
       const D across = sqrt(D(maximum(square.value, T(1e-12F)), square.along_x, square.along_y));
       const D outwards = select(near_zenith, D(T(1.0F)), detail::arc_tangent_of(across, y) / across);
       const D radius = outwards * T(0.5F / surface.scale);

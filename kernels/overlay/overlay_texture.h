@@ -62,7 +62,7 @@ ERGO_HD Quad overlay_between(const OverlayTexture& texture, int level, float s, 
   return (1.0F - down) * top + down * bottom;
 }
 
-//! Interpolates between two levels.
+//! Samples the texture at a fractional level, by interpolation between the two nearest levels.
 ERGO_HD Quad overlay_sample(const OverlayTexture& texture, float level, float s, float t) {
   const float coarsest = static_cast<float>(texture.level_count - 1);
   const float at = minimum(maximum(level, 0.0F), coarsest);

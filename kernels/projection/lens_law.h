@@ -146,7 +146,7 @@ ERGO_HD bool lens_radius(const FisheyeLens<double>& lens, double cosine, double 
 
 //! Returns the largest angle from the axis that a law can have at the rim [rad]. For a polynomial,
 //! that is the angle up to which its slope stays above a hundredth of the slope at the axis; 0 if
-//! it does not rise at the axis.
+//! the slope at the axis is not positive.
 ERGO_HD double largest_half_angle(LensLaw law, const double (&coefficient)[4]) {
   constexpr int samples = 4096;
   switch (law) {

@@ -50,7 +50,7 @@ ERGO_HD Projection make_dome_projection(int size_px, const DomeView& view) {
   p.dome.viewer = view.viewer;
   p.dome.off_centre = dot(view.viewer, view.viewer) > 0.0 ? 1 : 0;
   p.dome.truncated = view.cut_below > 0.0 || view.cut_above > 0.0 ? 1 : 0;
-  // A side that is not cut is outside the square.
+  // Where nothing is cut, the limit is outside the square.
   p.dome.lowest = view.cut_below > 0.0 ? 2.0 * view.cut_below - 1.0 : -2.0;
   p.dome.highest = view.cut_above > 0.0 ? 1.0 - 2.0 * view.cut_above : 2.0;
   return p;

@@ -67,9 +67,9 @@ ERGO_HD double pixel_side(const Projection& projection, double x_px, double y_px
   return ::sqrt(maximum(dot(steps.across, steps.across), dot(steps.down, steps.down)));
 }
 
-//! Returns the angle that a reference pixel spans, the unit in which errors are counted [rad]: on
-//! the axis of a lens, on the horizon of a map, at the center of a face or a screen. For most
-//! projections no pixel spans a larger angle.
+//! Returns the angle that a reference pixel spans [rad], which is the unit in which errors are
+//! counted. The reference pixel is on the axis of a lens, on the horizon of a map, at the center of
+//! a face or a screen. For most projections no pixel spans a larger angle.
 ERGO_HD double pixel_angle(const Projection& projection) {
   const double width_px = projection.width_px;
   const FisheyeLens<double>& lens = projection.dome.lens;

@@ -28,8 +28,9 @@ struct QuadtreeVertex {
 //! Interpolation of a quadtree grid between its vertices.
 enum class QuadtreeInterpolation : std::int32_t { linear, spline };
 
-//! VE's grid as kernels read it: an equirectangular camera sky, two square root cells of half the
-//! sky each, and an implicit quadtree: a cell is split if its center is a vertex.
+//! VE's grid as kernels read it: an equirectangular camera sky, divided into two square root cells
+//! of half the sky each, and an implicit quadtree in each: a cell is split if its center is a
+//! vertex.
 //!
 //! Row i is the polar angle π i / 2^level from -e_θ ("up"), column j the azimuth 2π j / 2^(level +
 //! 1) from +e_φ towards +e_r, of the finest possible grid (VE, eq. 1). Vertices are found through a

@@ -36,7 +36,7 @@ struct QuadtreeRaysBatch {
 
 //! A block of rows of one image, read from quadtree grids in the frame of its observer.
 struct QuadtreePixelBatch {
-  PixelBatch pixels;  //!< its edge is unused
+  PixelBatch pixels;  //!< pixels to read; the batch's edge is not used
   QuadtreeLookUp look_up;
 };
 

@@ -22,7 +22,7 @@ struct ShellAppearance {
 struct ShellTable {
   const float* u;  //!< 1/r of each shell [1/M]
   const ShellAppearance* appearances;
-  int count;     //!< 0: no shells
+  int count;     //!< number of shells; 0: none
   bool shifted;  //!< light is multiplied by g⁴
 };
 

@@ -11,7 +11,7 @@ namespace ergodome::inline ERGO_TARGET {
 template <class S>
 struct ShellRadii {
   const S* u;  //!< 1/r of each shell, ascending [1/M]; all are outside the horizon
-  int count;   //!< at least one
+  int count;   //!< number of shells, at least one
 };
 
 //! A position on a ray.
@@ -23,9 +23,9 @@ struct NearPosition {
   //! Angle by which m must be rotated about the spin axis to point to the position, with φ = 0 at
   //! the camera or the head [rad].
   T drag;
-  T delay;         //!< coordinate time from there to the camera [M]; only if Parts include it
+  T delay;         //!< coordinate time from the position to the camera [M]; only if Parts include it
   T distance;      //!< affine distance from the camera [M]; only if Parts include it
-  RealOf<T> time;  //!< Mino time from there to the camera, for a photon seen with energy 1 [1/M]
+  RealOf<T> time;  //!< Mino time from the position to the camera, for a photon seen with energy 1 [1/M]
 };
 
 namespace detail {
@@ -50,7 +50,7 @@ ERGO_HD NearPosition<T> position_at(const SeriesReading<T>& reading, const NearS
   return position;
 }
 
-//! Part of a step in which r only decreases or only increases.
+//! A part of a step in which r either only decreases or only increases.
 template <class Real>
 struct RadialLeg {
   Real from_h;

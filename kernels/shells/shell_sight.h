@@ -16,7 +16,7 @@ class ShellSight {
   using S = ScalarOf<T>;
   using Mask = MaskOf<T>;
 
-  //! `pixel`: width of what each ray represents, as a fraction of a pixel.
+  //! `pixel`: width of the area that each ray represents, as a fraction of a pixel.
   ERGO_HD ShellSight(const CameraStationOf<S>& camera, const ShellTable& shells, const NearRay<D>& ray, S pixel,
                      const Before& before, SeenLanes<T>& seen)
       : camera_(camera), shells_(shells), ray_(ray), pixel_(pixel), before_(before), seen_(seen), fine_(S(0)) {}
@@ -61,7 +61,8 @@ class ShellSight {
   //! If less than this fraction of the light behind is transmitted, a display shows none of it.
   static constexpr S opaque = S(1.0 / 4096.0);
 
-  //! Returns the footprint of what the ray of lane `i` represents, with the camera's azimuth added.
+  //! Returns the footprint on the shell of the area that the ray of lane `i` represents, with the
+  //! camera's azimuth added.
   ERGO_HD ShellFootprint footprint_of(const NearPosition<D>& position, int i) const {
     const float drag = lane(position.drag.value, i);
     const float c = ::cosf(drag);

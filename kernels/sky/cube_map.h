@@ -110,8 +110,9 @@ struct BilinearPosition {
 //! Finds the texels of a look-up. `size` is that of the level's faces in texels.
 template <class T>
 ERGO_HD BilinearPosition<T> bilinear_position(const CubePosition<T>& position, const T& size) {
-  // Counted from the border, so that numbers are positive. Rounding can put a position slightly
-  // outside the face, where only one border texel exists, so positions are clamped to the face.
+  // Texels are counted from the border, so that their numbers are positive. Rounding can put a
+  // position slightly outside the face, where only one border texel exists, so positions are
+  // clamped to the face.
   const T half(0.5F);
   const T x = minimum(maximum((position.x + 1.0F) * 0.5F * size + half, half), size + half);
   const T y = minimum(maximum((position.y + 1.0F) * 0.5F * size + half, half), size + half);

@@ -16,7 +16,7 @@ struct Spacetime {
   double spin = 0.0;  //!< a [M], in [-1, 1], positive along +z; without spin, Schwarzschild
 
   Spacetime() = default;
-  //! Always inlined: objects for different instruction sets must not share functions.
+  //! Always inlined: object files for different instruction sets must not share functions.
   [[gnu::always_inline]] ERGO_HD constexpr explicit Spacetime(double a) : spin(a) {}
 
   bool operator==(const Spacetime&) const = default;

@@ -25,7 +25,7 @@ struct StarTileBatch {
   //! Number of threads that share a point's tiles (points with spikes cover many).
   int point_threads;
   bool spikes_alone;  //!< skips points without spikes
-  double reach_px;    //!< how far light reaches along x and y
+  double reach_px;    //!< how far a point's light reaches along x and y
   int width_px;       //!< width of the picture
   int height_px;
   bool wraps;   //!< the picture's left and right edges meet

@@ -37,7 +37,8 @@ ERGO_HD void for_tiles_about(const StarTileBatch& batch, const StarPoint& point,
   }
 }
 
-//! Counts a point in the tiles that it may reach, or lists it there.
+//! Counts a point in the tiles that its light may reach or, if `Lists`, adds it to the lists of
+//! these tiles.
 template <bool Lists>
 struct PlaceStar {
   StarTileBatch batch;

@@ -12,7 +12,7 @@ struct ObservedPositionBatch {
   LensChart chart;
   //! Energy at infinity of light that arrives from a rain-frame direction with energy 1.
   DirectionForm<float> energy;
-  AberrationOf<float> observer;  //!< between the observer's frame and the rain frame
+  AberrationOf<float> observer;  //!< aberration from the observer's frame to the rain frame
   int count;
   const float* gamma_turns;
   const float* s;

@@ -16,12 +16,12 @@ struct StarImage {
   //! Unit vector in the observer's frame (e_r, e_θ, e_φ); for omnidirectional stereo, in the view's
   //! axes.
   Vector3<float> direction;
-  float magnification;         //!< of the solid angle; negative for inverted parity
+  float magnification;         //!< magnification of the solid angle; negative for inverted parity
   float frequency_ratio;       //!< g = ν_observed / ν_emitted
   Vector3<float> illuminance;  //!< linear sRGB whose luminance is in lx
 };
 
-//! An image with what distinguishes it from other images of its star.
+//! An image, with properties by which other images of the same star can be told from it.
 struct SeenImage {
   StarImage image;
   float arc;    //!< length of the arc, due to the size of the star's disk [rad]
@@ -31,7 +31,7 @@ struct SeenImage {
 //! Maximum length of an arc [rad].
 inline constexpr float longest_arc = 1.5F;
 
-//! How images of stars shine.
+//! Settings for the brightness of star images.
 struct StarAppearance {
   float faintest;  //!< images of lower illuminance are left out [lx]
   bool redshift;   //!< light is shifted in frequency and beamed

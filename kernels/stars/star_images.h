@@ -12,7 +12,7 @@ namespace ergodome {
 //! The chart of a camera's sky, in which the lens is smooth up to the shadow's edge.
 template <class S>
 struct StarChartOf {
-  LensChart chart;             //!< without edge points, the edge is unknown
+  LensChart chart;             //!< the chart; if it has no edge points, the shadow's edge is unknown
   AberrationOf<S> aberration;  //!< aberration from the camera's frame to the chart's
 };
 
@@ -25,7 +25,7 @@ inline constexpr double max_magnification_change = 0.005;
 //! the view's axes.
 template <class S, class Camera = CameraStationOf<S>>
 struct StarImageBatch {
-  Camera camera;  //!< at φ = 0, to which the stars' directions refer
+  Camera camera;  //!< camera at φ = 0; the stars' directions refer to this azimuth
   StarChartOf<S> chart;
   IntegrationSettings settings;
   S tolerance;  //!< maximum distance of images from their exact positions [rad]

@@ -11,9 +11,9 @@ namespace ergodome::inline ERGO_TARGET {
 //!
 //! A ray with its derivatives along two perpendicular directions gives the image to first order. A
 //! few iterations reach the precision of the rays; the last ray's Jacobian is that of the image.
-//! Usually one iteration is enough: the error that a step leaves is estimated from the change of
-//! the map along it, which varies on the scale of the distance to the shadow's edge. Steps that are
-//! not short on that scale are made in the chart, where the lens is nearly linear.
+//! Usually one iteration is enough: the error that a step leaves is estimated from how much the map
+//! changes along the step. The map varies on the scale of the distance to the shadow's edge. Steps
+//! that are not short on that scale are made in the chart, where the lens is nearly linear.
 template <class T, class Camera = CameraStationOf<ScalarOf<T>>>
 struct FindStarImages {
   using D = Dual<T>;
@@ -37,7 +37,8 @@ struct FindStarImages {
             select(open, next.frequency_ratio, at.frequency_ratio),
             select(open, next.miss, at.miss),
             select(open, next.change, at.change)};
-      // A ray that does not come from the sky will not do so in the next round either.
+      // A ray that does not come from the sky will not do so in the next round either, so its
+      // search ends.
       open = open & ((at.miss > T(S(batch.tolerance))) | (at.change > T(S(max_magnification_change)))) &
              (at.miss < T(S(1e29)));
     }
@@ -86,8 +87,9 @@ struct FindStarImages {
   //! edge [rad]; near the edge, all but short steps are made in the chart.
   ERGO_HD Vector3<T> moved(const Vector3<T>& n, const Vector3<T>& e1, const Vector3<T>& e2, const T& x, const T& y,
                            const T& scale) const {
-    // Shorter steps would only add the rounding of the edge's table, and far from the edge the
-    // chart brings no benefit.
+    // Steps shorter than this fraction of `scale` are not made in the chart, because there they
+    // would only add the rounding of the edge's table; far from the edge the chart brings no
+    // benefit.
     constexpr double short_step = 0.05;
     constexpr double far_from_edge = 0.3;
     const Vector3<T> straight = n + x * e1 + y * e2;
@@ -98,7 +100,7 @@ struct FindStarImages {
       return there;
     }
     const Vector3<T> in_chart = moved_in_chart({{n.x, e1.x, e2.x}, {n.y, e1.y, e2.y}, {n.z, e1.z, e2.z}}, x, y);
-    // Next to the chart's poles γ may be NaN.
+    // Next to the chart's poles γ may be NaN; such steps are made without the chart.
     const MaskOf<T> known = bent & (dot(in_chart, in_chart) < T(S(2)));
     return {select(known, in_chart.x, there.x), select(known, in_chart.y, there.y), select(known, in_chart.z, there.z)};
   }
@@ -161,7 +163,8 @@ struct FindStarImages {
     const T length = sqrt(x * x + y * y);
     // Steps are limited to 0.1 rad, beyond which the first-order map is meaningless.
     const T part = minimum(T(S(0.1)) / maximum(length, T(S(1e-30))), one);
-    // Light that hardly escapes the horizon of an extremal hole may have non-finite derivatives.
+    // Light that hardly escapes the horizon of an extremal hole may have non-finite derivatives,
+    // which yield no usable step.
     const MaskOf<T> usable = reached & (length < T(S(1e20)));
     x = select(usable, x * part, zero);
     y = select(usable, y * part, zero);
@@ -174,7 +177,7 @@ struct FindStarImages {
     const T left =
         minimum(part_of_way * (T(S(max_bend)) * larger + one) / smaller + damping / (smaller * smaller), one);
     const T change = minimum(T(S(max_changed)) * part_of_way / minimum(smaller, one), one);
-    // An image whose step is below the tolerance cannot be improved.
+    // An image whose step is below the tolerance cannot be improved, so its `change` is set to 0.
     const auto close = length <= T(S(batch.tolerance));
     return {moved(n, e1, e2, x, y, scale),
             select(side < zero, -area, area),

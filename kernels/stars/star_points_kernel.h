@@ -6,7 +6,7 @@
 // The kernel that converts images of stars to points of light on a picture.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Converts image i to a point.
+//! Converts star image i to point of light i.
 struct PlaceImage {
   StarPointBatch batch;
 

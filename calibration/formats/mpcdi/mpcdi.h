@@ -21,7 +21,7 @@ enum class MpcdiProfile {
   media_2d,       //!< "2d": a warped flat image
   simulation_3d,  //!< "3d": each projector shows a warped frustum of the scene
   advanced_3d,    //!< "a3": the surface that each projector lights
-  shader_lamps,   //!< "sl": that surface, and the poses of the projectors
+  shader_lamps,   //!< "sl": the surface that each projector lights, and the poses of the projectors
 };
 
 //! Returns true if regions of a profile define the orientation of projectors.
@@ -53,8 +53,8 @@ struct MpcdiFrame {
 //! A fisheye lens in Christie's "BufferExtension". Radius in half-widths of the raster: r = f1 t +
 //! f3 t^3 + f5 t^5 + f7 t^7, t in rad.
 struct MpcdiFisheye {
-  double horizontal_offset = 0.0;  //!< half-widths
-  double vertical_offset = 0.0;    //!< half-heights
+  double horizontal_offset = 0.0;  //!< offset of the lens's axis to the right [half-widths of the raster]
+  double vertical_offset = 0.0;    //!< offset of the lens's axis upward [half-heights of the raster]
   double coefficients[4] = {};     //!< f1, f3, f5, f7
   double anamorphic_ratio = 1.0;   //!< height of a pixel over its width
   double anamorphic_angle_deg = 0.0;
@@ -109,8 +109,8 @@ struct MpcdiBuffer {
 struct Mpcdi {
   MpcdiProfile profile = MpcdiProfile::media_2d;
   MpcdiVersion version = MpcdiVersion::two;
-  int geometry_level = 1;  //!< 1 or 2
-  int color_level = 1;     //!< 1 to 5; above 2 there is a betaMap
+  int geometry_level = 1;  //!< level of the geometry: 1 or 2
+  int color_level = 1;     //!< level of the color data: 1 to 5; above 2 there is a betaMap
   std::string date;        //!< "yyyy-MM-dd HH:mm:ss"
   std::vector<MpcdiBuffer> buffers;
   std::vector<std::string> left_out;  //!< features of the file that the reader ignores, with their lines

@@ -106,7 +106,7 @@ MpcdiRegion region_from_warp(const std::string& id, const WarpMesh& warp, int re
 Mpcdi media_calibration(std::vector<MpcdiRegion> regions, const std::string& date) {
   Mpcdi mpcdi;
   mpcdi.date = date;
-  // Geometry level 1 has at most 32 x 32 samples (table 3-2 of the MPCDI specification).
+  // Geometry level 1 allows at most 32 x 32 samples (table 3-2 of the MPCDI specification).
   const bool fine = std::any_of(regions.begin(), regions.end(), [](const MpcdiRegion& region) {
     return region.geometry && (region.geometry->map.width > 32 || region.geometry->map.height > 32);
   });

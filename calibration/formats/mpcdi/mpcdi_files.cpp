@@ -22,7 +22,7 @@ constexpr std::size_t max_mask_bytes = std::size_t{512} << 20U;
 std::optional<std::string> checked_path(const XmlElement& element) {
   const std::string own_text = element.text();
   std::string path = own_text.empty() || element.child("path") ? element.needed_child("path").text() : own_text;
-  // Windows programs write backslashes.
+  // Windows programs write backslashes between folders.
   std::ranges::replace(path, '\\', '/');
   if (path.empty()) {
     return std::nullopt;
@@ -47,7 +47,8 @@ bool same_letters(std::string_view a, std::string_view b) {
 std::string name_of(const XmlElement& element, const std::string& path) { return element.location() + ": " + path; }
 
 MpcdiOrigin origin_of(const std::string& word) {
-  // VESA's library writes a word of <interpolation> here; other words count as unknown.
+  // In place of an origin, VESA's library writes a word of <interpolation>; such words count as an
+  // unknown origin.
   const auto* const found = std::find(mpcdi_origin_words.begin(), mpcdi_origin_words.end(), word);
   return found == mpcdi_origin_words.end() ? MpcdiOrigin::unknown
                                            : static_cast<MpcdiOrigin>(found - mpcdi_origin_words.begin());
@@ -60,7 +61,7 @@ std::string unit_of(const XmlElement& element, MpcdiProfile profile) {
   std::ranges::transform(unit, unit.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   static const std::set<std::string> units = {"mm", "cm", "dm", "m", "in", "ft", "yd", "unknown"};
   if (!units.contains(unit) && !has_lengths(profile)) {
-    // Coordinates on a screen or in an image have no unit.
+    // The profile has coordinates on a screen or in an image, which need no unit.
     unit = "unknown";
   } else if (!units.contains(unit)) {
     throw element.error(fmt::format("has the unknown geometricUnit \"{}\"", unit.substr(0, 40)),

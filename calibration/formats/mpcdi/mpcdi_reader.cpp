@@ -162,7 +162,7 @@ class DescriptionReader {
     for (const XmlElement& fileset : filesets) {
       read(fileset, fileset.needed_attribute("region"));
     }
-    // Some programs write a region's fileset inside the region.
+    // Some programs write a region's fileset inside the region, where it need not name the region.
     for (const auto& [id, found] : regions_) {
       for (const XmlElement& fileset : found.element.children("fileset")) {
         const std::string named = fileset.attribute("region").value_or(id);

@@ -34,8 +34,8 @@ class XmlFile {
   pugi::xml_document document_;
 };
 
-//! An element of such a file. Names are case-insensitive, as MPCDI requires (VESA MPCDI 2.0,
-//! 3.5.2); values are not. The file must outlive it.
+//! An element of an XmlFile. Names are case-insensitive, as MPCDI requires (VESA MPCDI 2.0, 3.5.2);
+//! values are not. The XmlFile must outlive the element.
 class XmlElement {
  public:
   XmlElement(const XmlFile& file, const pugi::xml_node& node) : file_(&file), node_(node) {}

@@ -10,7 +10,7 @@
 namespace ergodome {
 
 //! Reads named members of a zip archive in memory. Writes nothing to the disk. Member names are
-//! only compared.
+//! only compared with requested names, never used as paths.
 //!
 //! Archives are untrusted: there are limits for entries, bytes of a member, its compression ratio,
 //! and the bytes decompressed in total. Members must be stored or deflated, and not encrypted.

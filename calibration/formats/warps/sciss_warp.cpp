@@ -138,7 +138,7 @@ class ScissParser {
       WarpNode node;
       node.x = static_cast<float>(taken_number("a node"));
       node.y = static_cast<float>(taken_number("a node"));
-      taken<float>("a node");  // z of a flat raster
+      taken<float>("a node");  // skips z, which a flat raster does not need
       node.u = static_cast<float>(taken_number("a node"));
       node.v = static_cast<float>(1.0 - taken_number("a node"));
       taken<float>("a node");

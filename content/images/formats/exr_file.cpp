@@ -120,7 +120,8 @@ bool is_attribute_whole(const NextBytes& next, std::uintmax_t file_bytes) {
   if (*kind != "preview") {
     return (fixed == std::end(fixed_kinds) || fixed->bytes == *size) && skip_bytes(next, *size);
   }
-  // OpenEXR allocates memory for the preview by its width and height.
+  // OpenEXR allocates memory for the preview by its width and height, so these must fit the
+  // attribute's size.
   const std::optional<std::uint32_t> width = little_endian_word(next);
   const std::optional<std::uint32_t> height = width ? little_endian_word(next) : std::nullopt;
   return height && *size >= preview_head && *width <= file_bytes && *height <= file_bytes &&
@@ -203,7 +204,7 @@ std::string problem_of_exr(const NextBytes& next, std::uintmax_t file_bytes) {
   if (!version) {
     return damaged_header;
   }
-  // In a file of several parts, an empty header follows the last one.
+  // In a file of several parts, an empty header after the last one ends the headers.
   for (bool empty = true;;) {
     const std::optional<std::string> name = name_of(next);
     if (!name) {

@@ -24,7 +24,7 @@ struct ExrPart {
 //! The channels of a layer: red, green and blue, or a single gray one, then alpha if it follows
 //! them.
 struct ExrLayer {
-  std::string name;  //!< empty for plain R, G, B
+  std::string name;  //!< name of the layer; empty for plain R, G, B
   int part = 0;
   int first_channel = 0;
   int channels = 0;
@@ -36,9 +36,10 @@ struct ExrLayer {
 //! part. A part whose only channel has another name is a gray layer.
 std::vector<ExrLayer> exr_layers(const std::vector<ExrPart>& parts);
 
-//! Returns the layer with a name, which is its last word or its full name in any case. For an empty
-//! name it is plain R, G, B, or else the layer Combined, rgba or beauty, or else the only one. If
-//! none or several match, sets `problem` to a list of the layers.
+//! Returns the layer with a name, compared with the layer's last word and its full name, ignoring
+//! case. For an empty name, returns the layer of plain R, G, B, or else the layer Combined, rgba or
+//! beauty, or else the only layer. If none or several match, sets `problem` to a list of the
+//! layers.
 ExrLayer choose_exr_layer(const std::vector<ExrLayer>& layers, const std::string& name, std::string& problem);
 
 }  // namespace ergodome

@@ -14,10 +14,10 @@ namespace {
 constexpr const char* damaged_profile =
     "its color profile is damaged; save the image without it, or convert it to sRGB";
 
-//! Bytes before the tag table.
+//! Size of the header, which precedes the tag table [bytes].
 constexpr std::size_t header_bytes = 128;
 
-//! Position of the signature "acsp" in the header.
+//! Position of the signature "acsp" in the header [bytes].
 constexpr std::size_t mark_offset = 36;
 constexpr std::string_view profile_mark = "acsp";
 
@@ -96,7 +96,7 @@ std::string problem_of_icc_profiles(const ImageBytes& file) {
   const std::string head = file.head(png_signature.size());
   const auto begins_with = [&](std::string_view mark) { return head.starts_with(mark); };
   if (begins_with("#?") || begins_with("\x76\x2F\x31\x01")) {
-    return "";  // Radiance and OpenEXR have none.
+    return "";  // Radiance and OpenEXR files contain no ICC profile.
   }
   std::string profile;
   if (begins_with(png_signature)) {

@@ -36,7 +36,7 @@ void place_crop(const PanoramaCrop& crop, ShownLayout& layout) {
   const double scale = static_cast<double>(layout.data_width) / crop.width;
   const auto scaled = [&](int value) { return std::lround(scale * value); };
   layout.window_height = static_cast<int>(scaled(crop.full_height));
-  // A panorama of exactly two to one stays so, whatever the rounding.
+  // A panorama whose width is exactly twice its height keeps that ratio, whatever the rounding.
   layout.window_width =
       static_cast<int>(crop.full_width == 2 * crop.full_height ? 2L * layout.window_height : scaled(crop.full_width));
   layout.data_left = scaled(crop.left);

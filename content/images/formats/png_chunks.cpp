@@ -114,7 +114,7 @@ std::string unpacked_profile(std::string_view chunk) {
     return "";
   }
   const std::string_view packed = chunk.substr(zero + 2);
-  // Deflate compresses at most about 1032 times.
+  // Deflate compresses by a factor of at most about 1032.
   std::string profile(std::min(largest_profile, std::max<std::size_t>(1100 * packed.size(), 1024)), '\0');
   auto size = static_cast<uLongf>(profile.size());
   // Keeps the bytes before a damaged one: libpng may use them.

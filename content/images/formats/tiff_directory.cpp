@@ -76,7 +76,7 @@ std::uint64_t plain_bytes(TIFF* file, bool tiled, std::uint32_t strip) {
   TIFFGetFieldDefaulted(file, TIFFTAG_ROWSPERSTRIP, &rows);
   TIFFGetField(file, TIFFTAG_IMAGELENGTH, &height);
   rows = std::clamp<std::uint32_t>(rows, 1, std::max<std::uint32_t>(height, 1));
-  // The last strip of each plane may be shorter.
+  // The last strip of each plane may have fewer rows than the others.
   const std::uint32_t of_plane = (height + rows - 1) / rows;
   const std::uint32_t first = strip % std::max<std::uint32_t>(of_plane, 1) * rows;
   return TIFFVStripSize64(file, std::min(rows, height - std::min(first, height)));
@@ -108,7 +108,7 @@ std::string problem_of_tiff(const std::string& name, const std::optional<std::sp
   Source memory{bytes.value_or(std::span<const std::byte>())};
   const File file = open(name, bytes ? &memory : nullptr);
   if (!file) {
-    return "";  // OpenImageIO reports why.
+    return "";  // The file cannot be opened; OpenImageIO reports why.
   }
   const std::uint64_t file_bytes = TIFFGetSizeProc(file.get())(TIFFClientdata(file.get()));
   return problem_of_image(file.get(), file_bytes);

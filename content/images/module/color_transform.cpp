@@ -162,7 +162,8 @@ ColorTransform::ColorTransform(const ColorMetadata& metadata, int color_channels
 void ColorTransform::find_kind() {
   constexpr float tolerance = 0.002F;
   is_srgb_ = is_identity_ = true;
-  // Grays test the curve, single colors the matrix.
+  // Converts test colors: grays show whether the curve is sRGB or the identity, pure colors whether
+  // the matrix is the identity.
   for (int step = 0; step <= 16; ++step) {
     for (int color = -1; color < (color_channels_ == 3 ? 3 : 0); ++color) {
       const float value = static_cast<float>(step) / 16.0F;

@@ -198,7 +198,8 @@ class Input final : public ImageInput {
     shape_.encoded = colors.is_srgb();
     if (!colors.is_srgb() && !colors.is_identity()) {
       colors_ = colors;
-      // The curve applies to unpremultiplied colors.
+      // The transfer curve applies to unpremultiplied colors, so premultiplied ones must first be
+      // divided by alpha.
       divides_by_alpha_ = !colors.is_linear() && shape_.alpha_channel >= 0 && !shape_.separate_alpha;
       shape_.separate_alpha = shape_.separate_alpha || divides_by_alpha_;
     }
@@ -231,7 +232,8 @@ class Input final : public ImageInput {
     shape_.height = layout_.height();
     shape_.depth = spec.depth;
     shape_.channels = layer_.channels > 0 ? layer_.channels : spec.nchannels;
-    // OpenImageIO's GIF reader counts its four channels from 1.
+    // OpenImageIO's GIF reader counts its four channels from 1, so its index of the alpha channel
+    // is limited to the last channel.
     shape_.alpha_channel = layer_.channels > 0 ? layer_.alpha : std::min(spec.alpha_channel, spec.nchannels - 1);
     shape_.sample_bytes = static_cast<int>(spec.format.size());
     // Color metadata of a texture's file is ignored (glTF 2.0, 3.8.2).
@@ -343,7 +345,8 @@ std::unique_ptr<ImageInput> open_image(const std::string& name, const ImageLibra
     problem = problem_of_size(input->stored().width, input->stored().height, bytes.size());
   }
   if (problem.empty()) {
-    // A window larger than the pixels takes memory as well.
+    // Checks the size of the shown window, too: one that is larger than the pixels takes memory as
+    // well.
     problem = problem_of_size(input->shape().width, input->shape().height, bytes.size());
   }
   if (!problem.empty()) {

@@ -68,7 +68,8 @@ ShownLayout shown_layout(const OIIO::ImageInput& input) {
     layout.window_width = spec.full_width;
     layout.window_height = spec.full_height;
   }
-  // For a cube map, OpenImageIO reports a single face as the window.
+  // For a cube map, OpenImageIO reports a single face as the window; the window is then set to all
+  // pixels.
   if (spec.get_string_attribute("textureformat") == "CubeFace Environment") {
     layout.data_left = layout.data_top = 0;
     layout.window_width = spec.width;

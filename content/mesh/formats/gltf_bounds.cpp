@@ -13,7 +13,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int deepest_nesting = 64;
-//! Each node, accessor and primitive is an object of up to a kilobyte in memory.
+//! Maximum number of JSON objects: each node, accessor and primitive is one, and takes up to a
+//! kilobyte in memory.
 constexpr long max_objects = 200'000;
 constexpr long max_values = 2'000'000;
 

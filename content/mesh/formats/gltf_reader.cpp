@@ -52,7 +52,8 @@ struct FilesBeside {
     if (std::filesystem::path found = file_of_mesh(folder, name); !found.empty()) {
       return found;
     }
-    // The loader decodes a plus sign in a URI as a blank.
+    // The loader decodes a plus sign in a URI as a blank, so the name is also tried with plus signs
+    // in place of blanks.
     std::string plus = name;
     std::ranges::replace(plus, ' ', '+');
     return file_of_mesh(folder, plus);

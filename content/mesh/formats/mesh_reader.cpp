@@ -108,7 +108,7 @@ std::vector<fs::path> files_of_mesh(const fs::path& mesh) {
     const std::string text = read_whole_file(mesh, largest_mesh_bytes, wanted_meshes);
     return obj ? files_of_obj(text, folder) : files_of_gltf(text, folder);
   } catch (const Error&) {
-    return {};  // The mesh reader reports what is wrong.
+    return {};  // The file cannot be read; the mesh reader reports why.
   }
 }
 

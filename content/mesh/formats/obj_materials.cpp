@@ -18,7 +18,7 @@ bool take_color(std::string_view text, std::array<float, 3>& color) {
   }
   const std::string_view behind = take_word_of(text);
   if (count == 0 || (count < 3 && !behind.empty() && behind.front() != '#')) {
-    return false;  // such as "spectral" and "xyz", which select other color spaces
+    return false;  // not a number, but a word such as "spectral" or "xyz", which selects another color space
   }
   // A single number stands for all three.
   for (; count < 3; ++count) {
@@ -98,7 +98,7 @@ ObjTexture obj_texture(std::string_view text) {
                option == "-colorspace") {
       take_word_of(rest);
     } else {
-      break;  // a name may begin with a hyphen
+      break;  // not an option: the image's name may begin with a hyphen
     }
     text = rest;
     text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));

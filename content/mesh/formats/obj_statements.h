@@ -27,7 +27,7 @@ struct ObjFace {
   std::size_t first_corner;
   std::uint32_t corners;
   int material;          //!< index in ObjStatements::names, or no_obj_material
-  long smoothing_group;  //!< 0: flat
+  long smoothing_group;  //!< number of the smoothing group; 0: flat
   long line;
 };
 
@@ -45,7 +45,7 @@ struct ObjStatements {
   std::vector<ObjCorner> corners;
   std::vector<ObjFace> faces;
   ObjMaterials materials;
-  std::vector<std::string> names;  //!< of the materials that faces use
+  std::vector<std::string> names;  //!< names of the materials that faces use
   bool has_colors = false;
   bool has_lines = false;
   bool has_free_forms = false;
@@ -56,10 +56,10 @@ inline constexpr std::size_t largest_obj_library_bytes = std::size_t{64} << 20U;
 inline constexpr const char* obj_library_remedy = "a material file is a short text file; check the path";
 
 //! Reads the statements of a file. Calls MeshBuilder::reserve() for their triangles; `builder` has
-//! the name of the file in messages. `folder` holds its material files; empty: none are read. All
-//! indices of faces exist, and the positions of their vertices are finite. Throws Error with the
-//! line if that is not so, and if a statement is malformed, the file is truncated in a face, or it
-//! is too large.
+//! the name of the file in messages. `folder` holds its material files; empty: none are read. In
+//! the result, all indices of faces exist, and the positions of their vertices are finite. Throws
+//! Error with the line if the file violates this, if a statement is malformed, or if the file is
+//! too large or truncated in a face.
 ObjStatements read_obj_statements(std::string_view text, const std::filesystem::path& folder, MeshBuilder& builder);
 
 }  // namespace ergodome

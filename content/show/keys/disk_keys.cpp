@@ -17,8 +17,8 @@ double six_digits_above(double value) {
   return std::ceil(value / last) * last;
 }
 
-//! Returns the smaller and the larger radius, at the minimum and the maximum spin of the show, of
-//! the innermost stable circular orbit, or of the horizon if `plunging`.
+//! Computes the radius of the innermost stable circular orbit, or of the horizon if `plunging`, at
+//! the minimum and at the maximum spin of the show. Returns the smaller and the larger of the two.
 NumberLimits innermost_radii(const Show& show, bool plunging) {
   NumberLimits limits{1e9, 0.0};
   for (const Spacetime spacetime : {spacetime_of(show_at_least(show)), spacetime_of(show_at_most(show))}) {

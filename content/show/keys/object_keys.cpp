@@ -235,7 +235,7 @@ constexpr auto keys_of_object = keys_of<ObjectSettings>(
     group<ObjectSettings>("tessellation", tessellation_keys,
                           "How finely triangles are divided. For `\"polygon\"` only.")
         .unused_if([](const Show& /*show*/, const ObjectSettings& object) {
-          // Diagrams of traced objects use `torn`, which is in the same table.
+          // Traced objects do not use this table, except that their diagrams use `torn`.
           return object.method != ObjectMethod::polygon && object.torn == ObjectSettings().torn
                      ? "is used only with method = \"polygon\""
                      : nullptr;

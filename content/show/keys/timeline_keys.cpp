@@ -29,7 +29,7 @@ constexpr auto unset_fades = [](const TomlTable& /*table*/, Presence& presence) 
 constexpr auto set_fades = [](const TomlTable& table, Presence& presence) {
   const double there_s = presence.to_s - presence.from_s;
   // A fade without a duration lasts 0.5 s, but at most half of the time from from_s to to_s, and at
-  // most what the other fade leaves of it.
+  // most the part of that time which the other fade leaves.
   const auto usual = [&](double other_s) {
     return std::clamp(there_s - other_s, 0.0, std::min(usual_fade_s, 0.5 * there_s));
   };
@@ -39,7 +39,7 @@ constexpr auto set_fades = [](const TomlTable& table, Presence& presence) {
   if (presence.fade_out_s < 0.0) {
     presence.fade_out_s = usual(presence.fade_in_s);
   }
-  // Decimal times that add up exactly may not do so in binary.
+  // The tolerance is for decimal times that add up exactly, but not in binary.
   if (!(presence.fade_in_s + presence.fade_out_s <= there_s * (1.0 + 1e-9))) {
     throw table.error_at(
         table.has("fade_out_s") ? "fade_out_s" : "fade_in_s",

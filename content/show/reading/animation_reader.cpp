@@ -27,7 +27,7 @@ const AnimatableNumber& number_of(TomlTable& table) {
   }
   std::vector<std::string> paths;
   for (const AnimatableNumber& each : animatable_numbers()) {
-    // All shells have the same numbers.
+    // All shells have the same numbers, so only those of the first shell are listed.
     if (!each.path.starts_with("shells[") || each.path.starts_with("shells[0]")) {
       paths.emplace_back(each.path);
     }
@@ -55,7 +55,8 @@ std::vector<NumberKey> read_keys(TomlTable& table, const std::string& file, cons
   for (const toml::table* each : table.tables("key", max_number_keys)) {
     TomlTable reader(*each, file, fmt::format("{}[{}]", table.path_of("key"), keys.size()));
     NumberKey key;
-    reader.number("value", 0.0, limits.minimum, limits.maximum);  // narrower than the schema's range
+    // Checks the value against the number's own limits, which are narrower than the schema's.
+    reader.number("value", 0.0, limits.minimum, limits.maximum);
     read_settings(number_key_keys, reader, key);
     if (!keys.empty() && !(key.time_s - keys.back().time_s >= min_key_gap_s)) {
       throw reader.error_at("t_s", "is not later than that of the previous key", "sort the keys by time");
@@ -64,7 +65,7 @@ std::vector<NumberKey> read_keys(TomlTable& table, const std::string& file, cons
     keys.push_back(key);
   }
   if (keys.empty()) {
-    table.refuse_unknown_keys();  // one of them may be a misspelled `key`
+    table.refuse_unknown_keys();  // an unknown key may be a misspelled `key`
     throw table.error_at("key", "is missing", "write key = [{ t_s = 0, value = 0 }, { t_s = 10, value = 1 }]");
   }
   return keys;
@@ -99,8 +100,8 @@ NumberLimits values_of(const Show& show, std::string_view path) {
 }
 
 //! Throws Error if one of the numbers is animated and `lower` does not stay below `upper` by at
-//! least `gap`. The ranges over the whole show are compared, so that they must not overlap even if
-//! they are reached at different times.
+//! least `gap`. The ranges over the whole show are compared, so they must not overlap, even where
+//! their values occur at different times.
 void check_order(const TomlTable& root, const Show& show, std::string_view lower, std::string_view upper, double gap) {
   const double highest = values_of(show, lower).maximum;
   const double lowest = values_of(show, upper).minimum;

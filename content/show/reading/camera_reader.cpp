@@ -123,8 +123,8 @@ const char* observer_word(const CameraSettings& camera) {
 }
 
 //! Sets the velocity of a key outside a fall, if its table has one. Throws Error if only some keys
-//! have a velocity, if a key has one in a show whose fall ends, or if it is too close to the speed
-//! of light.
+//! have a velocity, if a key has one although the camera's fall has an end, or if the velocity is
+//! too close to that of light.
 void take_velocity(TomlTable& table, const std::string& file, const Show& show, CameraKey& key) {
   const WrittenMotion written = read_motion(table, "velocity", file, {});
   if (!show.camera.keys.empty() && table.has("velocity") != show.camera.keys.front().velocity.has_value()) {
@@ -228,7 +228,8 @@ const CameraKey& key_before(const Show& show, std::size_t i) {
 //! times between two camera keys, holds included, or at a key of the animated spin. Skips falls,
 //! and cameras whose keys have velocities, which are below that of light.
 void check_ways(const std::vector<const toml::table*>& tables, const std::string& file, const Show& show) {
-  // Static observers are slower than light outside 2 M, orbiting ones outside 4 M, for any spin.
+  // Outside this radius no position needs a check: for any spin, static observers are slower than
+  // light outside 2 M, orbiting ones outside 4 M.
   constexpr double safe_r = 4.0;
   const ObserverMotion motion = show.camera.motion;
   if (show.camera.keys.front().velocity) {

@@ -18,8 +18,8 @@ void take_position_of_fall(const TomlTable& table, const CameraKey& before, Came
 
 //! Reads the velocity of the fall, computes its orbit and sets CameraSettings::orbit and
 //! after_fall. The camera's keys and all other numbers of the show must have been read. Throws
-//! Error if there is no key when it begins, if it would begin faster than light or reach the
-//! horizon without a least_r inside, or if it cannot be computed up to the show's end.
+//! Error if there is no key when it begins, if it would begin faster than light or would reach the
+//! horizon without a least_r inside it, or if it cannot be computed up to the show's end.
 void let_fall(const toml::table& fall, const std::string& file, Show& show);
 
 //! Throws Error if the camera falls through the horizon but the show has features that cannot be

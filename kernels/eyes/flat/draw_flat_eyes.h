@@ -28,15 +28,15 @@ struct FlatEyeLookUpBatch {
   AberrationOf<float> aberration;
 };
 
-//! Returns the counter's name for a variant of drawing the near field for eyes of the stereo model
-//! `flat`; nullptr if there is nothing to draw.
+//! Returns the work counter's name for a variant of drawing the near field for eyes of the stereo
+//! model `flat`; nullptr if there is nothing to draw.
 constexpr const char* flat_eyes_name(DiskDrawing disk, bool shells) {
   constexpr const char* names[2][2] = {{nullptr, "draw_flat_eyes, shells"},
                                        {"draw_flat_eyes, disk", "draw_flat_eyes, disk, shells"}};
   return names[disk == DiskDrawing::none ? 0 : 1][shells ? 1 : 0];
 }
 
-//! Returns the counter's name for drawing the disk from a grid, for eyes of the stereo model
+//! Returns the work counter's name for drawing the disk from a grid, for eyes of the stereo model
 //! `flat`.
 constexpr const char* flat_look_up_name(DiskDrawing disk) {
   return disk == DiskDrawing::pattern ? "look_up_flat_eyes, pattern" : "look_up_flat_eyes";

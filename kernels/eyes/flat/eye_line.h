@@ -26,9 +26,10 @@ ERGO_HD Vector3<double> seen_by_eye(const Vector3<double>& n, double distance, c
 }
 
 //! Returns the direction in which the head sees an object that the eye sees in direction `m`: the
-//! inverse. `distance` is the object's distance from the head [M] and must exceed the eye's.
+//! inverse of seen_by_eye(). `distance` is the object's distance from the head [M] and must exceed
+//! the eye's.
 ERGO_HD Vector3<double> seen_by_head(const Vector3<double>& m, double distance, const Vector3<double>& eye) {
-  // The distance s along the line of sight solves |e + s m| = d.
+  // The distance s from the eye along the line of sight solves |e + s m| = d.
   const Vector3<double> e = (1.0 / distance) * eye;
   const double along = dot(e, m);
   const double way = ::sqrt(along * along + 1.0 - dot(e, e)) - along;
@@ -60,7 +61,7 @@ struct EyeLine {
   Vector3<D> m;
   Vector3<S> eye;  //!< e: the eye, relative to the head [M]
 
-  //! Returns m of a lane.
+  //! Returns the direction m of a lane's line of sight.
   [[nodiscard]] ERGO_HD Vector3<S> direction(int i) const {
     return {lane(m.x.value, i), lane(m.y.value, i), lane(m.z.value, i)};
   }
@@ -92,8 +93,8 @@ struct EyeLine {
   }
 };
 
-//! The point where an eye's line meets a layer: at w + step. The step is so small that functions of
-//! the position may be extrapolated over it by their derivatives.
+//! The point where an eye's line of sight meets a layer: at nearness w + step. The step is so small
+//! that functions of the position may be extrapolated over it by their derivatives.
 template <class T>
 struct MetLayer {
   EyePoint<T> point;  //!< point of the line at w
@@ -111,7 +112,7 @@ struct MetLayer {
     return {f.value + rate * step, f.along_x + rate * step_along_x, f.along_y + rate * step_along_y};
   }
 
-  //! Returns the direction from the head to that point.
+  //! Returns the direction from the head to the point where the line meets the layer.
   [[nodiscard]] ERGO_HD Vector3<Dual<T>> direction() const {
     return {carried(point.n.x), carried(point.n.y), carried(point.n.z)};
   }
@@ -134,7 +135,7 @@ ERGO_HD MetLayer<T> chosen(const Mask& mask, const MetLayer<T>& yes, const MetLa
           met};
 }
 
-//! Limits of the search for a layer.
+//! Limits of the search for the point where a line of sight meets a layer.
 template <class S>
 struct LayerSearch {
   S max_w;  //!< maximum w: layers nearer to the eye are not found [1/M]
@@ -147,8 +148,8 @@ struct LayerSearch {
 inline constexpr int layer_rounds = 10;
 
 //! Finds where a line meets a layer, from a first guess of w, by Newton's method between bounds.
-//! nearness(point, lanes) returns q in a direction, and may keep other values for its caller: its
-//! last call is for the point of the result.
+//! nearness(point, lanes) returns q in the direction of a point. Its last call is for the point of
+//! the result, so other values that it stores are those of the result.
 template <class T, class Nearness>
 ERGO_HD MetLayer<T> meet_layer(const EyeLine<T>& line, const T& first, const LayerSearch<ScalarOf<T>>& search,
                                const MaskOf<T>& lanes, const Nearness& nearness) {

@@ -26,14 +26,15 @@ struct EyeReference {
   Vector3<double> down;
 
   //! Returns the direction in which the head sees the point of the line at nearness w. `length`
-  //! receives its length before normalization.
+  //! receives the length of the direction vector before normalization.
   ERGO_HD Vector3<double> toward(double w, double& length) const {
     const Vector3<double> v = m + w * eye;
     length = ::sqrt(dot(v, v));
     return (1.0 / length) * v;
   }
 
-  //! Returns the distance from the head at a nearness; infinite at nearness 0.
+  //! Returns the distance from the head of the line's point at nearness w [M]; infinite at nearness
+  //! 0.
   ERGO_HD double distance(double w) const {
     double length = 0.0;
     toward(w, length);
@@ -56,7 +57,7 @@ struct EyeReference {
   }
 };
 
-//! A part of a line, as distances from the head [M].
+//! A section of a line of sight, as a range of distances from the head [M].
 struct DistanceSpan {
   double nearest, farthest;
 };
@@ -92,7 +93,7 @@ class EyeStep {
     beside_ = parts_ ? 0.0 : beside_;
   }
 
-  //! Returns whether all of the step is farther from the head than `farthest` [M].
+  //! Returns whether the whole step is farther from the head than `farthest` [M].
   [[nodiscard]] ERGO_HD bool begins_beyond(double farthest) const { return !(first_.value - beside_ < farthest); }
 
   //! Restricts the step to the part that may be within a span of distances from the head. Returns
@@ -118,8 +119,8 @@ class EyeStep {
     return length_ > 0.0;
   }
 
-  //! Returns whether the kept part may come near any mesh. Also sets width_ and bends_, once for
-  //! each step.
+  //! Returns whether the part of the step that keep() has selected may come near any mesh. Also
+  //! sets width_ and bends_, once for each step.
   [[nodiscard]] ERGO_HD bool may_meet(const MeshScene& scene) {
     const Vector3<D> first_point = point_with_neighbours(0.0);
     const Vector3<D> last_point = point_with_neighbours(step_.length);
@@ -127,12 +128,12 @@ class EyeStep {
     bends_ = parts_ || bends(first_point, first_) || bends(last_point, last_);
     const double end = begin_ + length_;
     const auto point = [&](double h) { return point_of_ray(h); };
-    // Most steps are kept as a whole, and their end points are known.
+    // Most steps are kept as a whole, and the points at their ends have already been computed.
     const PathPiece piece = {0.0, length_, begin_ == 0.0 ? plain_vector(first_point) : point(begin_),
                              point(begin_ + 0.5 * length_),
                              end == step_.length ? plain_vector(last_point) : point(end)};
     // Steps are longer than pieces and less similar to parabolas, so their reach is doubled. If the
-    // ray itself is used for its neighbors, they are at its position.
+    // ray itself is used for its neighbors (bends_), their distance from it is 0.
     const double beside = bends_ ? 0.0 : width_ * reach_;
     const double reach = 2.0 * piece.stray() + ::fabs(piece.unevenness()) * piece.chord() + beside;
     for (int i = 0; i < scene.count; ++i) {
@@ -146,7 +147,7 @@ class EyeStep {
     return false;
   }
 
-  //! Selects a neighbor's direction for the calls that follow.
+  //! Selects the direction of a neighboring line of sight for the calls that follow.
   ERGO_HD void turn_to(const Vector3<double>& m) { reference_.m = m; }
 
   //! Returns the eye's path along the kept part of the step, without derivatives. The eye's offset
@@ -179,8 +180,9 @@ class EyeStep {
     return path;
   }
 
-  //! Sets a hit's u_rate and polar_momentum to those of the head's ray there, and its time to minus
-  //! its nearness, so that nearer hits come first. `h`: time on along().
+  //! Sets a hit's u_rate and polar_momentum to those of the head's ray there, and the hit's time to
+  //! minus its nearness (1/distance from the eye), so that nearer hits come first. `h`: time on
+  //! along().
   ERGO_HD void see(double h, MeshHit& hit) const {
     const Position at = position(begin_ + h);
     const D time(begin_ + h);
@@ -197,7 +199,7 @@ class EyeStep {
     double distance;      //!< distance from the head [M]
   };
 
-  //! c[0] + c[1] t + c[2] t², through three values at equal steps.
+  //! c[0] + c[1] t + c[2] t², through its values at three equally spaced t.
   struct Parabola {
     double c[3];
 
@@ -267,17 +269,18 @@ class EyeStep {
 
   ERGO_HD static double change_of(const D& distance) { return ::fabs(distance.along_x) + ::fabs(distance.along_y); }
 
-  //! Returns how far neighbors of a point are away, per radian [M].
+  //! Returns how far the points of neighboring lines are from a point, per radian between the lines
+  //! [M].
   ERGO_HD static double width_of(const Vector3<D>& p) {
     return length_of({p.x.along_x, p.y.along_x, p.z.along_x}) + length_of({p.x.along_y, p.y.along_y, p.z.along_y});
   }
 
-  //! Returns whether neighbors are so far away, or so much nearer or farther, that derivatives do
-  //! not predict them.
+  //! Returns whether the points of neighboring lines are so far from point `p`, or so much nearer
+  //! to or farther from the head, that derivatives do not predict them.
   [[nodiscard]] ERGO_HD bool bends(const Vector3<D>& p, const D& distance) const {
     constexpr double widest = 0.5;
     constexpr double max_unevenness = 0.3;
-    // Also true if a value is NaN.
+    // The negated comparisons are also true if a value is NaN.
     return !(width_of(p) * reach_ <= widest * length_of(plain_vector(p))) ||
            !(change_of(distance) * length_of(reference_.eye) <= max_unevenness * distance.value * distance.value);
   }
@@ -286,7 +289,7 @@ class EyeStep {
     return value.value + value.along_x * at.across + value.along_y * at.down;
   }
 
-  //! Moves the step's series to the beginning of the kept part.
+  //! Moves the step's series to the beginning of the part that keep() has selected.
   ERGO_HD void move_to_begin() {
     series_ = step_.series;
     moved_ = true;
@@ -329,15 +332,15 @@ class EyeStep {
   double reach_;
   D first_;  //!< distance from the head at both ends of the step
   D last_;
-  //! Maximum difference between the eye's distance and the ray's [M]. If it would be a large
-  //! fraction of the distance, it is 0 and parts_ is true: the ray itself then serves for all
-  //! neighbors.
+  //! Maximum difference between the distances of the eye's line and of the ray from the head [M].
+  //! If it would be a large fraction of the distance, it is 0 and parts_ is true: the ray itself
+  //! then serves for all neighbors.
   double beside_;
   bool parts_ = false;
   DistanceSpan kept_ = {0.0, 0.0};
-  double begin_ = 0.0;  //!< beginning of the kept part, in the step's time
+  double begin_ = 0.0;  //!< beginning of the part that keep() has selected, in the step's time
   double length_ = 0.0;
-  bool moved_ = false;  //!< series_ has been moved to that beginning
+  bool moved_ = false;  //!< series_ has been moved to begin_
   detail::NearSeries<Order, D, Parts> series_;
   double width_ = 0.0;
   bool bends_ = false;

@@ -20,11 +20,13 @@ class FlatDisk {
                    S pixel)
       : batch_(batch), layers_(layers), line_(line), search_(search), pixel_(pixel) {}
 
-  //! Finds the images that the given lanes see. Returns the lanes that the source leaves to rays.
+  //! Finds the images of the disk that the given lanes see. Returns the lanes in which the source
+  //! of the layers is an inaccurate grid, so that rays must be traced.
   ERGO_HD Mask meet(const Mask& lanes) {
     const EyePoint<T> start = line_.at(T(S(0)));
     layers_.aim(start.n, crossing_orders, lanes);
-    // Where the source leaves lanes to rays, every order may be visible.
+    // Where the source of the layers is inaccurate, so that rays must be traced, every order may be
+    // visible.
     const Mask unknown = layers_.left(lanes);
     for (int order = 0; order < crossing_orders; ++order) {
       const D q = layers_.nearness(order);
@@ -35,8 +37,8 @@ class FlatDisk {
     return meet_near_guesses(lanes);
   }
 
-  //! Does the same as meet(), but the first guesses are the nearnesses that the other source has
-  //! found.
+  //! Does the same as meet(), but its first guesses are the nearnesses that `other` has found from
+  //! its source of layers.
   template <class OtherLayers>
   ERGO_HD Mask meet_near(const FlatDisk<T, OtherLayers>& other, const Mask& lanes) {
     return meet_near(other.guess_, lanes);
@@ -55,7 +57,7 @@ class FlatDisk {
   //! Returns the nearness of an order's image in lane `i`; negative if it is not visible.
   [[nodiscard]] ERGO_HD S nearness(int order, int i) const { return lane(nearness_[order], i); }
 
-  //! Composes an order's image behind everything that lane `i` has seen.
+  //! Composites an order's image of the disk behind everything that lane `i` has seen so far.
   ERGO_HD void compose(int order, int i, SeenLanes<T>& seen) const {
     const CrossingLayer<T>& carried = carried_[order];
     const SeenLayer at = {lane(u_[order].value, i), pixel_ * change(order, i), lane(carried.cosine, i),
@@ -69,8 +71,9 @@ class FlatDisk {
     }
   }
 
-  //! Composes images behind everything that lane `i` has seen, from order `next` on, up to the
-  //! first that is farther than `nearness`, and sets `next` to that order.
+  //! Composites images of the disk behind everything that lane `i` has seen so far, from order
+  //! `next` on. Stops at the first order whose image is farther than `nearness`, and sets `next` to
+  //! that order.
   ERGO_HD void compose_before(S nearness, int i, int& next, SeenLanes<T>& seen) const {
     for (; next < crossing_orders; ++next) {
       const S own = this->nearness(next, i);
@@ -103,7 +106,8 @@ class FlatDisk {
     const T way = nearness * absolute(start.by_nearness(u));
     const T width = absolute(u.along_x) + absolute(u.along_y);
     const T margin = S(2) * (way + width) + T(S(0.2) / disk.inner_r);
-    // If a layer is this near, the change of u on the way cannot be estimated.
+    // If a layer is this near, the change of u on the way cannot be estimated, so the line counts
+    // as possibly meeting the disk.
     const auto near = nearness * sqrt(dot(line_.eye, line_.eye)) > T(S(0.1));
     return near | ((u.value < T(S(1) / disk.inner_r) + margin) & (u.value > T(S(1) / disk.outer_r) - margin));
   }

@@ -130,7 +130,8 @@ struct FlatEyePixels {
   }
 
  private:
-  //! Returns the pixels that are drawn here.
+  //! Returns the pixels to draw: those inside the image, either without the pixels that show
+  //! objects (leaves_objects) or only these (objects_alone).
   [[nodiscard]] ERGO_HD Mask drawn(const PixelGroup& at) const {
     const Mask inside = at.inside > T(S(0));
     if constexpr (Derived::leaves_objects) {

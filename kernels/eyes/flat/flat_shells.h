@@ -42,7 +42,7 @@ class ShellLayer {
   //! Returns the lanes whose light neither crosses the shell in this sense (in or out) nor turns.
   [[nodiscard]] ERGO_HD Mask fallen() const { return (!(found_ > T(S(0)))) & !(turned_ > T(S(0))); }
 
-  //! Copies the results of the lanes outside the mask from another visitor.
+  //! Copies the results in the lanes outside the mask `own` from another visitor.
   ERGO_HD void keep_others(const Mask& own, const ShellLayer& other) {
     keep(!own, other.position_);
     found_ = select(own, found_, other.found_);
@@ -129,8 +129,8 @@ class FlatShells {
     MetLayer<T> met = meet_layer(line_, T(S(0)), search_, lanes, trace);
     const Mask fallen = lanes & layer.fallen();
     if (any(fallen)) {
-      // Light from the far side may pass the shadow's edge nearer to the eye, so search from the
-      // near end, too.
+      // Light from the far side may pass the shadow's edge nearer to the eye, so the search is
+      // repeated from the near end.
       const detail::ShellLayer<T> far_layer = layer;
       const MetLayer<T> again = meet_layer(line_, T(search_.max_w), search_, fallen, trace);
       const Mask other = again.met & layer.found();
@@ -147,7 +147,7 @@ class FlatShells {
     return compose(shell, met, layer, seen);
   }
 
-  //! Selects the result of the last search in the lanes of the mask, and that of the search before
+  //! Selects the result of the second search in the lanes of the mask, and that of the first search
   //! in the others.
   ERGO_HD static void keep_layer(const Mask& last, const detail::ShellLayer<T>& before, MetLayer<T>& met,
                                  detail::ShellLayer<T>& layer, const MetLayer<T>& again) {

@@ -16,7 +16,7 @@ class GridLayers {
   ERGO_HD explicit GridLayers(const FlatEyeLookUpBatch& batch) : batch_(batch), lanes_(0.0F), left_(0.0F) {}
 
   //! Evaluates the layers in direction n. Where the grid's leaf is flagged, no layer is shown, and
-  //! the lane is left to rays if any order may be visible there.
+  //! rays must be traced for the lane (left()) if any order may be visible there.
   ERGO_HD void aim(const Vector3<D>& n, int, const Mask& lanes) {
     const DiskPosition<T> position =
         disk_position(batch_.grid.cells.chart.edge, rain_direction(batch_.aberration, n, energy_));
@@ -92,7 +92,8 @@ class GridLayers {
     return layer;
   }
 
-  //! Returns the lanes whose last direction the grid leaves to rays.
+  //! Returns the lanes in which the grid was inaccurate in the last direction, so that rays must be
+  //! traced.
   [[nodiscard]] ERGO_HD Mask left(const Mask& lanes) const { return lanes & (left_ > T(0.0F)); }
 
  private:

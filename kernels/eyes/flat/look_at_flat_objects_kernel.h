@@ -40,7 +40,8 @@ struct ObjectRaysOfHead {
  private:
   static constexpr int lanes = RealTraits<T>::lane_count;
 
-  //! Searches along lines that share the head's rays.
+  //! Finds what `count` lines of sight of each pixel, in the directions m, meet. The lines of a
+  //! pixel share the head's rays.
   ERGO_HD void trace_lines(int first, const Vector3<T>* m, int count, SampleHits<T>* met) const {
     PixelLines lines[lanes];
     for (int i = 0; i < lanes; ++i) {
@@ -76,13 +77,14 @@ struct ObjectRaysOfHead {
     }
   }
 
-  //! Returns the sweep of a pixel's lines [rad].
+  //! Returns the sweep of a pixel's lines of sight: the angle between their ends as the head sees
+  //! them [rad].
   [[nodiscard]] ERGO_HD double way_of(const FlatReach& reach) const {
     return static_cast<double>(reach.max_w - reach.min_w) * length_of(batch.sight.eye);
   }
 
   //! Returns the length of a line of sight that one of the head's rays represents, as the head sees
-  //! it [rad]. Lines of slices have at most parts_of_slices parts.
+  //! it [rad]. If the pixel is cut into slices, a line has at most parts_of_slices parts.
   [[nodiscard]] ERGO_HD double part_of(const FlatReach& reach) const {
     const double part = batch.sight.pixel * part_px(static_cast<double>(reach.width));
     return batch.pixels.pattern == PixelPattern::slices ? ::fmax(part, way_of(reach) / (parts_of_slices - 0.5)) : part;
@@ -145,7 +147,8 @@ struct ObjectRaysOfHead {
                                      });
   }
 
-  //! Searches the kept part of a step for what a line meets.
+  //! Searches the part of a step that EyeStep::keep() has selected for the first mesh that a line
+  //! meets.
   ERGO_HD void trace_line(EyeStep<object_order, Parts>& eye, int line, PixelLines& lines, MeshHit& hit) const {
     eye.turn_to(lines.direction(line));
     const PathStep<object_order, Parts, double> path = eye.along();
@@ -160,7 +163,7 @@ struct ObjectRaysOfHead {
     lines.meet(line);
   }
 
-  //! Stores the energy and the axial angular momentum of the head's ray to a hit. Discards a hit
+  //! Stores the energy and the axial angular momentum of the head's ray in a hit. Discards a hit
   //! behind what the eye sees of the horizon.
   ERGO_HD void end(const Vector3<double>& direction, int i, SampleHits<T>& met) const {
     MeshHit& hit = met.hits[i];

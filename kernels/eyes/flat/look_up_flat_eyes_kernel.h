@@ -7,8 +7,9 @@
 // Draws the disk for one eye of the stereo model `flat` from a grid.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Samples of a register's pixels that a grid leaves to rays. All are collected first, then traced
-//! together in full registers; only the last register may be partly filled.
+//! Samples of a register's pixels for which the grid is inaccurate, so that rays are traced. All
+//! are collected first, then traced together in full registers; only the last register may be
+//! partly filled.
 template <class T>
 struct LeftSamples {
   static constexpr int maximum = RealTraits<T>::lane_count * near_samples * near_samples;
@@ -26,7 +27,7 @@ struct LeftSamples {
 };
 
 //! Draws a disk that is read from a grid as one eye of the stereo model `flat` sees it. Rays are
-//! traced where the grid leaves the disk to them.
+//! traced where the grid is inaccurate.
 template <class T, bool WithPattern>
 struct LookUpFlatEyes {
   using Mask = MaskOf<T>;
@@ -41,8 +42,8 @@ struct LookUpFlatEyes {
 
   ERGO_HD void operator()(int index) const { Pixels{batch.eye, *this}.draw(index); }
 
-  //! Sums all samples of the given lanes. In each sample, few lanes are left to rays, but over all
-  //! samples there are many. So they are collected and traced together.
+  //! Sums all samples of the given lanes. In each sample, few lanes need rays because the grid is
+  //! inaccurate, but over all samples there are many. So they are collected and traced together.
   ERGO_HD void average(const Pixels& pixels, const typename Pixels::PixelGroup& group, const Mask& lanes,
                        SeenLanes<T>& sum) const {
     LeftSamples<T> left;
@@ -82,8 +83,8 @@ struct LookUpFlatEyes {
     const T& y_px;
   };
 
-  //! Does the same as the draw_near() above, but collects the lanes that the grid leaves to rays.
-  //! Until they are traced, they count as opaque and black.
+  //! Does the same as the draw_near() above, but collects the lanes for which the grid is
+  //! inaccurate. Until they are traced, they count as opaque and black.
   ERGO_HD Mask draw_near(const EyeLine<T>& line, const LayerSearch<float>& search, float pixel, const Mask& wanted,
                          const Objects&, SeenLanes<T>& seen, Waiting& waiting) const {
     GridLayers<T, WithPattern> layers(batch);

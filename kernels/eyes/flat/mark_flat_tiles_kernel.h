@@ -57,7 +57,7 @@ struct MarkFlatTiles {
   struct Seen {
     EyeReference reference;
     double from_w = 0.0;
-    double step_w = 0.0;  //!< nearness range of a part
+    double step_w = 0.0;  //!< range of nearness that one part of the line of sight covers
     int parts = 1;
     TileMark mark = TileMark::nothing;
     double min_w = 1e30;
@@ -96,7 +96,7 @@ struct MarkFlatTiles {
     }
   }
 
-  //! Searches a part of the lines of sight.
+  //! Searches part number `part` of the tiles' lines of sight for objects.
   ERGO_HD void seen_at(const EyeLine<T>& line, int part, const MaskOf<T>& inside, Seen (&seen)[lanes]) const {
     const ObjectScene& objects = batch.tiles.objects;
     const CameraStation& camera = objects.camera;
@@ -137,7 +137,8 @@ struct MarkFlatTiles {
     }
   }
 
-  //! Marks objects whose nearness differs by at most `reach_w` from that of the part's middle, `w`.
+  //! Marks objects near the head's path whose nearness is within `reach_w` of `w`, the nearness of
+  //! the part's middle.
   ERGO_HD void mark_along(const PathStep<mark_order, Parts, Dual<double>>& step, double half_px, double w,
                           double reach_w, Seen& seen) const {
     visit_tile_pieces(batch.tiles.objects.scene, step, {half_px, batch.tiles.turn_per_px, NeighbourTimes::same},

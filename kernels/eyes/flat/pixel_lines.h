@@ -43,24 +43,26 @@ class PixelLines {
     return false;
   }
 
-  //! Return the ray, which has no line's direction yet, and the maximum angle between it and the
-  //! directions that it represents [rad].
+  //! Return the current ray of the head (in EyeReference::m, no line of sight is set yet), and the
+  //! maximum angle between it and the directions that it represents [rad].
   [[nodiscard]] ERGO_HD const EyeReference& reference() const { return reference_; }
   [[nodiscard]] ERGO_HD double reach() const { return reach_; }
 
-  //! Returns the range that the ray represents, over all lines.
+  //! Returns the range of distances that the current ray represents, over all lines.
   [[nodiscard]] ERGO_HD const DistanceSpan& span() const { return whole_; }
-  //! Returns the range for one line. If lines are not cut into parts, it is the same for all.
+  //! Returns the range of distances for one line. If lines are not cut into parts, the range is the
+  //! same for all.
   [[nodiscard]] ERGO_HD const DistanceSpan& span(int line) const { return columns_ > 1 ? spans_[line] : whole_; }
 
-  //! Returns whether the ray represents a part of a line that is still searched.
+  //! Returns whether the current ray represents a part of this line, and the line is still to be
+  //! searched.
   [[nodiscard]] ERGO_HD bool is_wanted(int line) const { return is_in(wanted_ & open_, line); }
   [[nodiscard]] ERGO_HD bool any_wanted() const { return (wanted_ & open_) != 0U; }
 
   [[nodiscard]] ERGO_HD const Vector3<double>& direction(int line) const { return lines_[line].m; }
 
-  //! Records that a line has met something, so that it is not searched farther on. Lines whose
-  //! farther parts come first (backwards_) are searched on.
+  //! Records that a line has met something, which ends the search along it. The search goes on for
+  //! lines whose farther parts come first (backwards_).
   ERGO_HD void meet(int line) {
     if (!is_in(backwards_, line)) {
       open_ &= ~(1U << static_cast<unsigned>(line));
@@ -71,10 +73,10 @@ class PixelLines {
   //! Overlap of parts, as a fraction of their width, since neighbors do not meet to the last digit.
   static constexpr double overlap = 1e-3;
 
-  //! A direction, and how it moves as the head sees it. Coordinates are on the plane that touches
-  //! the sphere of the head's directions in the middle of the pixel: s along the eye's
-  //! displacement, t across it. `ahead` and `along`: components of m along the middle and the
-  //! displacement.
+  //! A line of sight in direction m, and the path that its points follow as the head sees them.
+  //! Coordinates are on the plane that touches the sphere of the head's directions in the middle of
+  //! the pixel: s along the eye's displacement, t across it. `ahead` and `along`: components of m
+  //! along the middle and the displacement.
   struct Line {
     Vector3<double> m;
     double ahead, along;

@@ -13,7 +13,7 @@ namespace ergodome::inline ERGO_TARGET {
 template <class T>
 struct LayerPoint {
   Dual<T> u;        //!< 1/r [1/M]
-  T u_rate;         //!< positive for light that was emitted outwards
+  T u_rate;         //!< du/dλ, backwards: positive for light that was emitted outwards
   MaskOf<T> shown;  //!< lanes in which an image may be visible
 };
 
@@ -43,7 +43,7 @@ class RayLayers {
     return select(far, one / select(far, distance, one), D(T(S(0))));
   }
 
-  //! Returns the other properties of a layer.
+  //! Returns the properties of a layer other than its nearness.
   [[nodiscard]] ERGO_HD LayerPoint<T> point(int order) const {
     return {layers_[order].u, layers_[order].u_rate, lanes_ > T(S(0))};
   }
@@ -58,7 +58,7 @@ class RayLayers {
     return layers[order];
   }
 
-  //! Returns the lanes that this source leaves to rays: none.
+  //! Returns the lanes for which rays must be traced instead: none, because this source is rays.
   [[nodiscard]] ERGO_HD Mask left(const Mask& lanes) const { return lanes & !lanes; }
 
  private:

@@ -63,9 +63,9 @@ ERGO_HD HalfTurns start_of(const PolarForm& p) {
 //! Newton's method on the angle.
 //!
 //! From 0 to π/2 the integral is concave where B > 0 and convex where B < 0, so the method
-//! converges monotonically from 0 or from above. If rounding or a vanishing slope throws it out of
-//! the interval that contains η, the interval is bisected instead. (Other starting points oscillate
-//! where A is tiny, for light that hardly leaves the equator.)
+//! converges monotonically from 0 or from above. If rounding or a vanishing slope leads the method
+//! out of the interval that contains η, the interval is bisected instead. (Other starting points
+//! oscillate where A is tiny, for light that hardly leaves the equator.)
 ERGO_HD double amplitude(const PolarForm& p, double target) {
   const double half_period = 2.0 * first_kind(p, 1.0, 0.0);
   const double turns = ::rint(target / half_period);
@@ -217,10 +217,10 @@ ERGO_HD Vector3<double> polar_position_off_axis(double spin, const RayStart<doub
 ERGO_HD Vector3<double> polar_position(double spin, const RayStart<double>& ray, double time) {
   const double l = ray.axial_angular_momentum;
   if (spin == 0.0 && ray.polar_constant == 0.0) {
-    return ray.m;  // purely radial: its plane is undefined
+    return ray.m;  // the ray is purely radial: the plane of its polar motion is undefined
   }
   if (ray.m.z == 0.0 && ray.m_rate.z == 0.0) {
-    return {::cos(l * time), -::sin(l * time), 0.0};  // stays in the equatorial plane
+    return {::cos(l * time), -::sin(l * time), 0.0};  // the ray stays in the equatorial plane
   }
   if (ray.m.x == 0.0) {
     // On the axis every ray has L = 0 and stays in the plane of its first direction, like a ray

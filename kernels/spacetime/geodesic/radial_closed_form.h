@@ -25,8 +25,9 @@ ERGO_HD RadialRoots radial_roots(double spin, const RayStart<double>& ray) {
   const double linear = alpha * alpha + 4.0 * a2 * carter;
   const auto resolvent = [&](double y) { return ((16.0 * y + 8.0 * alpha) * y + linear) * y - k * k; };
   // From above all roots (Lagrange's bound) Newton's method falls monotonically to the largest
-  // root. Where that is the only one and lies left of both extrema, or of the inflection, the
-  // method rises monotonically from 0 instead; from above it would jump about there.
+  // root. Where that is the only root and lies left of both extrema, or of the inflection, the
+  // method would jump about if it started from above. There it starts from 0 and rises
+  // monotonically.
   const double lowest = (safe_sqrt(alpha * alpha - 0.75 * linear) - alpha) / 6.0;
   const double rounding = 1e-12 * (k * k + ::fabs(linear) * lowest);
   const bool from_below = lowest > 0.0 && linear > 0.0 && resolvent(lowest) > rounding;
@@ -67,7 +68,8 @@ struct RadialIntegrals {
 //! DLMF 19.29.4 and 19.29.8 with y = 0.
 //!
 //! `rate` is √U at x, which is more accurate than the roots. Next to a turning point 1 / r_4, and
-//! at it (where the rate is 0), 1 - r_4 x is computed from it, not from a difference with rounding.
+//! at it (where the rate is 0), 1 - r_4 x is computed from the rate, not as a difference with
+//! rounding.
 ERGO_HD RadialIntegrals radial_integrals(const RadialRoots& roots, double x, double rate, const double (&rho)[2]) {
   if (!(x > 0.0)) {
     return {0.0, {0.0, 0.0}};
@@ -76,7 +78,7 @@ ERGO_HD RadialIntegrals radial_integrals(const RadialRoots& roots, double x, dou
   Complex square[4];
   for (int i = 0; i < 4; ++i) {
     square[i] = one - roots.r[i] * Complex(x);
-    // Next to a turning point, rounding may leave a small negative number.
+    // Next to a turning point, rounding may leave a small negative number, which becomes 0.
     if (square[i].im == 0.0 && square[i].re < 0.0) {
       square[i].re = 0.0;
     }
@@ -187,7 +189,7 @@ ERGO_HD Drag drag_to(double spin, double l, const HorizonPairs& pairs, const Rad
     const RadialIntegrals integrals = radial_integrals(roots, x, rate, rho);
     time = integrals.time;
     if (spin == 0.0) {
-      break;  // no drag, and the inner pole of a radial ray coincides with its roots
+      break;  // without spin there is no drag, and the inner pole of a radial ray coincides with its roots
     }
     // With inner = a²/outer, a (2 inner - a L) / (inner (inner - outer)) =
     // (2 a - L outer) / (inner - outer), which is accurate at a = 0.

@@ -19,7 +19,8 @@ ERGO_HD T drag_rate(ScalarOf<T> spin, const RayStart<T>& ray, const RayState<T>&
   using S = ScalarOf<T>;
   const S a2 = spin * spin;
   const T u2 = s.u * s.u;
-  // 1 - 2u + a² u² loses all digits next to the horizon; its factors do not.
+  // 1 - 2u + a² u² loses all digits next to the horizon, so it is computed as the product of its
+  // factors.
   const S horizon_r = kerr_horizon_radius(spin);
   const T lapse = (S(1) - horizon_r * s.u) * (S(1) - (a2 / horizon_r) * s.u);
   const T outer = (a2 * ray.axial_angular_momentum * u2 - S(2) * spin * s.u) / lapse;
@@ -77,7 +78,7 @@ struct Trial {
   T error;
 };
 
-//! Takes one step of a pair from the state whose rate is stage[0].
+//! Takes one step of a Runge-Kutta pair from `state`, whose rate is stage[0].
 template <class Tableau, class T>
 ERGO_HD Trial<T> try_step(ScalarOf<T> spin, const RayStart<T>& ray, const RayState<T>& state, const T& h,
                           const T& polar_speed, RayState<T> (&stage)[Tableau::stages]) {
@@ -173,8 +174,8 @@ ERGO_HD RayEnd<T> trace_runge_kutta(ScalarOf<T> spin, const RayStart<T>& start, 
   const Vector3<T> sky = sky_direction(state);
   const T square = dot(sky, sky);
   reached = reached & (square < T(S(2)));
-  // Normalized, because in float the errors of many steps around the hole change the length of the
-  // vector by about 1e-5.
+  // The sky direction is normalized, because in float the errors of many steps around the hole
+  // change the length of the vector by about 1e-5.
   return {(S(1) / sqrt(select(reached, square, one))) * sky, time + rest, error};
 }
 

@@ -141,7 +141,8 @@ ERGO_HD void expand(ScalarOf<T> spin, const TaylorCoefficients<T>& c, const RayS
       lapse[k] = a2 * square[k] - S(2) * s.u[k];
     }
     if (k == 0) {
-      // 1 - 2u + a² u² loses all digits next to an extremal horizon; its factors do not.
+      // 1 - 2u + a² u² loses all digits next to an extremal horizon, so it is computed as the
+      // product of its factors.
       const T by_factors = (S(1) - c.outer_horizon * s.u[0]) * (S(1) - (a2 / c.outer_horizon) * s.u[0]);
       lapse[0] = c.ingoing ? select(c.lapse_rate < Real(S(0)), lapse[0] + S(1), by_factors) : by_factors;
     }
@@ -248,8 +249,8 @@ ERGO_HD RealOf<T> step_length(const TaylorSeries<Order, T>& series, const RealOf
   return length;
 }
 
-//! Returns the h in (0, within] at which a ray reaches infinity, u(h) = 0; its dual parts are exact
-//! too.
+//! Returns the h in (0, within] at which a ray reaches infinity, u(h) = 0; the derivatives of a
+//! dual number are exact, too.
 template <int Order, class T>
 ERGO_HD T time_to_infinity(const TaylorSeries<Order, T>& s, const RealOf<T>& within) {
   using Real = RealOf<T>;

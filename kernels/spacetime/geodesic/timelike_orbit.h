@@ -10,7 +10,7 @@ namespace ergodome {
 
 //! Constants of motion of a freely falling body of mass 1.
 struct OrbitConstants {
-  double energy;                  //!< E at infinity; 1 for a body at rest there
+  double energy;                  //!< E at infinity; 1 for a body that is at rest at infinity
   double axial_angular_momentum;  //!< L_z [M]
   double polar_constant;          //!< Q + L_z² [M²], with Carter's Q
   //! Azimuth and time are those of ingoing Kerr coordinates, in which bodies cross the horizon: dφ

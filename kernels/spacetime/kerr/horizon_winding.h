@@ -11,9 +11,9 @@
 //   W = ∫ du / (Δ u²) = ln(1 + d q) / d, q = u / (1 - r_+ u), d = r_+ - r_-,
 // stay smooth on the way; for d -> 0, W = q.
 //
-// For light that came out through the horizon, on its way back from a camera within, the signs are
-// opposite: t + 2 r_+ W and φ - a W stay smooth. These are ingoing Kerr coordinates, with a time
-// that equals Boyer-Lindquist's far away.
+// For a camera within the horizon, whose light came in through the horizon and is followed back
+// out, the signs are opposite: t + 2 r_+ W and φ - a W stay smooth. These are ingoing Kerr
+// coordinates, with a time that equals Boyer-Lindquist's far away.
 namespace ergodome::inline ERGO_TARGET {
 
 template <class S>
@@ -21,7 +21,9 @@ struct HorizonWinding {
   S spin;
   S horizon_r;  //!< r_+ [M]
   S gap;        //!< d = r_+ - r_- [M]
-  S sense;      //!< sign of W: 1 for light that goes on to the horizon, -1 for light that came out
+  //! Sign of W: 1 for light followed in to the horizon, -1 for light followed out of it from a
+  //! camera within.
+  S sense;
 };
 
 //! Returns the winding about a hole. `within`: the camera is within the horizon.
@@ -88,8 +90,8 @@ ERGO_HD T winding(const HorizonWinding<ScalarOf<T>>& w, const T& u) {
   if (w.gap > S(2e-3)) {
     return logarithm();
   }
-  // If the horizons are close together, the logarithm next to 1 loses all digits, but its series
-  // does not.
+  // If the horizons are close together, the logarithm of numbers next to 1 loses all digits, so its
+  // series is summed instead.
   constexpr int terms = sizeof(S) == 4 ? 6 : 14;
   T series(RealOf<T>(S(1.0 / terms)));
   ERGO_UNROLL

@@ -64,7 +64,7 @@ ERGO_HD KerrFunctions kerr_functions(Spacetime spacetime, double r, double theta
   const double sine = ::sin(theta);
   KerrFunctions f{};
   f.sigma = r * r + a2 * cosine * cosine;
-  // As a product of its roots: near an extremal horizon the sum of its terms loses all digits.
+  // Computes Δ from its roots: near an extremal horizon the sum of its terms loses all digits.
   const double horizon = horizon_radius(spacetime);
   f.delta = (r - horizon) * (r - a2 / horizon);
   f.area = (r * r + a2) * (r * r + a2) - a2 * f.delta * sine * sine;

@@ -30,7 +30,7 @@ struct RayStart {
   ScalarOf<T> turn = ScalarOf<T>(0);
 };
 
-//! The end of a ray.
+//! The end of a ray that is followed backwards, where its light comes from.
 template <class T>
 struct RayEnd {
   Vector3<T> sky;    //!< unit vector to the source (camera at φ = 0); valid for escaped rays

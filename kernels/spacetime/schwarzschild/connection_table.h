@@ -54,7 +54,7 @@ struct ConnectionBatch {
   ConnectionGrid grid;
   UnroundedNode* fan;     //!< solved rays, indexed [layer][fan row][fan column]
   UnroundedNode* spread;  //!< fan interpolated to all rows, indexed [layer][row][fan column]
-  ConnectionNode* nodes;  //!< [layer][row][column], columns + 1 of them
+  ConnectionNode* nodes;  //!< finished nodes, indexed [layer][row][column], with columns + 1 columns
 };
 
 //! A table for reading.

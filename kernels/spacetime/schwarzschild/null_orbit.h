@@ -21,12 +21,12 @@
 //   λ = |Δr| + ∫ (1 - 2u) dφ / (1/b + √P).
 namespace ergodome::inline ERGO_TARGET {
 
-//! The part of an orbit between two points: its azimuth, its coordinate time beyond |Δr*|, and its
-//! affine distance beyond |Δr|.
+//! The part of an orbit between two points: its azimuth, its coordinate time minus |Δr*|, and its
+//! affine distance minus |Δr|.
 struct OrbitLeg {
   double angle;    //!< azimuth swept [rad]
-  double delay;    //!< coordinate time beyond |Δr*| [M]
-  double stretch;  //!< affine distance beyond |Δr| [M]
+  double delay;    //!< coordinate time minus |Δr*| [M]
+  double stretch;  //!< affine distance minus |Δr| [M]
 };
 
 //! An orbit that turns, b >= √27.

@@ -28,14 +28,14 @@ ERGO_HD double rate_over_share(double rate, double angle, double gap) {
 
 }  // namespace detail
 
-//! Returns the end of a ray at the observer. `angle` is the azimuth that it sweeps, radii as for
-//! connecting_ray().
+//! Returns the RayPosition of a ray's end at the observer. `angle` is the azimuth that it sweeps,
+//! radii as for connecting_ray().
 ERGO_HD RayPosition position_at_observer(const ConnectingRay& ray, double r_observer, double r, double angle) {
   const double gap = 1.0 / r - 1.0 / r_observer;
   return {0.0, 1.0 / r_observer, detail::rate_over_share(ray.rate_at_observer, angle, gap)};
 }
 
-//! Returns the end of a ray at the point.
+//! Returns the RayPosition of a ray's end at the point.
 ERGO_HD RayPosition position_at_point(const ConnectingRay& ray, double r_observer, double r, double angle) {
   const double gap = 1.0 / r - 1.0 / r_observer;
   return {1.0, 1.0 / r, detail::rate_over_share(ray.rate_at_point, angle, gap)};

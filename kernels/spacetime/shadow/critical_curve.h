@@ -11,7 +11,7 @@ namespace ergodome::inline ERGO_TARGET {
 //! Returns the angle at which the sky turns bright along a great circle that is dark at 0 and
 //! bright at `bright_limit` [rad].
 //!
-//! `chart` and `gamma` give the circle. The ray's darkness passes through zero linearly at the
+//! `chart` and `gamma` define the circle. The ray's darkness passes through zero linearly at the
 //! edge. Newton's method (with an exact derivative, by dual numbers) inside a shrinking bracket
 //! finds the root to rounding.
 ERGO_HD double edge_along_circle(const CameraStation& camera, const ShadowChart& chart, double gamma,

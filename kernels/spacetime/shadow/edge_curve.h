@@ -31,7 +31,7 @@ ERGO_HD void edge_at(const EdgeCurve& edge, float gamma, float& alpha, float& sl
   const float t = position - whole;
   const int count = edge.count;
   const auto wrapped = [count](int i) { return i < 0 ? i + count : (i >= count ? i - count : i); };
-  // A NaN angle has no index; t makes α NaN then.
+  // A NaN angle has no index, so index 0 is used; α is NaN nevertheless, because t is.
   const float known = ::fabsf(whole) < 1e7F ? whole : 0.0F;
   // Avoids an integer division, which would take longer than the rest of this function.
   const int turns = static_cast<int>(known / static_cast<float>(count));

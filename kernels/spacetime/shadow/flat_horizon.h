@@ -12,7 +12,7 @@ namespace ergodome {
 struct FlatHorizon {
   EdgeCurve edge;         //!< edge of the eye's shadow, in the observer's frame
   float cosine_largest;   //!< cosine of the largest polar angle of the edge
-  const float* nearness;  //!< [1/M]; `spokes` rows of `depths` values
+  const float* nearness;  //!< nearness of the horizon [1/M]; `spokes` rows of `depths` values
   int spokes;
   int depths;
   float depth_step;
@@ -25,7 +25,7 @@ inline namespace ERGO_TARGET {
 ERGO_HD bool is_behind_horizon(const FlatHorizon& horizon, const Vector3<float>& m, float w) {
   const EdgeCurve& edge = horizon.edge;
   const float ahead = dot(m, edge.centre);
-  // Most directions are beside the shadow, which the cosine alone shows.
+  // Most directions are outside the shadow; for them, the cosine alone decides.
   if (ahead < horizon.cosine_largest) {
     return false;
   }

@@ -16,7 +16,8 @@ struct PixelBatch {
   ProjectionOf<float> projection;
   float frame_from_view[3][3];  //!< columns: the view's x (right), y (up), z (back), in e_r, e_θ, e_φ
   EdgeCurve edge;
-  //! Only pixels whose cosine to the chart's center is in this range may touch the edge.
+  //! Range of the cosine between a pixel's direction and the chart's center. Only pixels in it may
+  //! touch the shadow's edge.
   float edge_cosine_lowest;
   float edge_cosine_highest;
   IntegrationSettings settings;

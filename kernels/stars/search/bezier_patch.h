@@ -18,7 +18,7 @@ struct BezierPatch {
 //! How a patch of a lens maps the chart to the sky.
 enum class PatchShape {
   regular,  //!< nearly affine: Newton's method finds the only image of a star from any start
-  bent,     //!< one to one, but the Jacobian at its middle does not represent all of it
+  bent,     //!< one to one, but its Jacobian differs too much from that at its middle
   //! A critical curve may run through it: a star may have several images of any brightness.
   folded
 };

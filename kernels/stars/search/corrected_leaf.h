@@ -80,8 +80,8 @@ ERGO_HD LeafDisplacement leaf_displacement(const CorrectedLeaves& grid, int leaf
 //! patch to where traced rays have it. Returns false, and changes nothing, if it is too far away
 //! for a first-order correction.
 ERGO_HD bool correct_image(const CorrectedLeaves& grid, int leaf, const Vector3<float>& star, ChartImage& image) {
-  // Newton steps below this length [fractions of a leaf] hardly change the Jacobian; and the
-  // maximum number of steps.
+  // Newton's method ends after a step shorter than short_step [fractions of a leaf], which hardly
+  // changes the Jacobian, or after max_steps steps.
   constexpr float short_step = 2e-4F;
   constexpr int max_steps = 3;
   // Maximum displacement of an image [fractions of a leaf].
@@ -93,7 +93,8 @@ ERGO_HD bool correct_image(const CorrectedLeaves& grid, int leaf, const Vector3<
   float u = start[0];
   float v = start[1];
   float area = 0.0F;
-  // The search uses a patch that agrees with its neighbors; this patch is that of the traced rays.
+  // The search used a patch that agrees with its neighbors. Newton's method moves the image to its
+  // position in the patch of the traced rays.
   for (int step = 0; step < max_steps; ++step) {
     const PatchValue patch = patch_value(grid.nodes, grid.leaves + 4 * static_cast<long>(leaf), u, v, width, height);
     const Vector3<float> sum = detail::scaled_xyz(patch.sky, 1.0F);

@@ -15,7 +15,7 @@ enum class ImageJoinStep { count, number, take };
 //! kept.
 enum class ImageOrder {
   as_found,
-  by_position  //!< for images that were found in nondeterministic order
+  by_position  //!< sorted by direction, for images that were found in nondeterministic order
 };
 
 //! Collects images star by star. An image on a border may have been found from both sides, and is

@@ -47,7 +47,7 @@ ERGO_HD const SeenImage& found_image(const ImageJoinBatch& batch, int number) {
 }
 }  // namespace detail
 
-//! Counts an image for its star, or lists its number there.
+//! Counts an image for its star or, if `Numbers`, stores the image's number in the star's list.
 template <bool Numbers>
 struct CountImage {
   ImageJoinBatch batch;
@@ -64,8 +64,8 @@ struct CountImage {
   }
 };
 
-//! Takes the images of a star, sorted since threads number them in nondeterministic order. Marks all
-//! but the first of equal images as duplicates.
+//! Takes the images of a star in sorted order, because threads number them in nondeterministic
+//! order. Marks all but the first of equal images as duplicates.
 struct TakeImages {
   ImageJoinBatch batch;
 

@@ -13,8 +13,8 @@ ERGO_HD float part_size(int axis, int depth) {
   return 1.0F / static_cast<float>(1U << static_cast<unsigned>((depth + 1 - axis) / 2));
 }
 
-//! Computes the direction (x, y) along which each part is longest, approximately, in the plane of
-//! p and q, in which its star sees it, as unit vectors. Returns the lengths.
+//! Computes approximately the direction along which each part is longest in the plane of p and q,
+//! as a unit vector (x, y). Returns the lengths of the parts along these directions.
 template <class T>
 ERGO_HD T long_way(const SeenPatch<T>& part, T& x, T& y) {
   const auto from_to = [](const T(&at)[16], int a, int b, int c, int d) {
@@ -42,7 +42,8 @@ ERGO_HD MaskOf<T> may_hold_star(const SeenPatch<T>& part, const T& error) {
   T x;
   T y;
   const T length = long_way(part, x, y);
-  // Roots on a border belong to both sides, in spite of rounding.
+  // The slack ensures that, in spite of rounding, a root on a border between two parts belongs to
+  // both.
   const T slack = T(1e-3F) * length + error;
   const auto has_both_signs = [&](const T& of_p, const T& of_q) {
     T low = of_p * part.p[0] + of_q * part.q[0];
@@ -56,7 +57,7 @@ ERGO_HD MaskOf<T> may_hold_star(const SeenPatch<T>& part, const T& error) {
     return (low <= slack) & (high >= -slack);
   };
   const MaskOf<T> across = has_both_signs(-y, x);
-  // The narrow direction excludes most parts.
+  // Tests the narrow direction first, because it excludes most parts.
   return any(across) ? across & has_both_signs(x, y) : across;
 }
 
@@ -115,8 +116,8 @@ ERGO_HD SeenPart<T> whole_patches(const PatchPairBatch& pairs, int first) {
           gather([](const StarPatch& patch) { return static_cast<float>(patch.halvings); })};
 }
 
-//! Halves the parts first, first + 1, ... up to `last`, which have been halved `depth` times, along
-//! u and v in turn. Calls append(list, half, lanes) with the lanes of a half that belong to a
+//! Halves the parts first, first + 1, ... before `last`, which have been halved `depth` times,
+//! along u and v in turn. Calls append(list, half, lanes) with the lanes of a half that belong to a
 //! PartList.
 template <class T, class Append>
 ERGO_HD void halve_parts(const SeenParts& parts, int first, int last, int depth, const Append& append) {

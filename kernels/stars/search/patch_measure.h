@@ -17,9 +17,9 @@ struct PatchMeasures {
   float max_ratio;        //!< maximum ratio of the camera's solid angle to the sky's
   float brightening;      //!< maximum ratio of the observer's solid angles to the rain frame's
   float frequency_ratio;  //!< maximum g for the observer
-  Vector3<float> seen;    //!< direction to its middle in the observer's frame
+  Vector3<float> seen;    //!< direction to the patch's middle in the observer's frame
   float seen_radius;      //!< maximum distance from that direction, as a chord between unit vectors
-  bool regular;           //!< the patch is regular as in PatchShape, provided it is not folded
+  bool regular;           //!< if the patch is not folded: its shape is PatchShape::regular
 };
 
 //! A patch to be measured, in its own frame (PatchFrame), and its rectangle in the chart.
@@ -32,7 +32,7 @@ struct PatchMeasureBatch {
   float height;
   //! Energy at infinity of light that arrives from a rain-frame direction with energy 1.
   DirectionForm<float> energy;
-  AberrationOf<float> observer;  //!< between the observer's frame and the rain frame
+  AberrationOf<float> observer;  //!< aberration from the observer's frame to the rain frame
   PatchMeasures* out;
 };
 

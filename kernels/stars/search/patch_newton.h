@@ -15,7 +15,7 @@ struct PatchPosition {
 template <class T>
 struct PatchRoot {
   PatchPosition<T> at;
-  T area;  //!< Jacobian determinant there: area in the plane z = 1 per area of the unit square
+  T area;  //!< Jacobian determinant at the root: area in the plane z = 1 per area of the unit square
   MaskOf<T> found;
 };
 

@@ -48,8 +48,8 @@ struct PatchNewtonBatch {
   float* found;  //!< 1 where the method has found the star, 0 elsewhere
   float* u;      //!< position found, which may lie outside [0, 1]²
   float* v;
-  //! Jacobian determinant there: area in the plane per area of the unit square; negative for
-  //! inverted parity.
+  //! Jacobian determinant at the position found: area in the plane per area of the unit square;
+  //! negative for inverted parity.
   float* area;
 };
 

@@ -105,8 +105,8 @@ struct FindPatchSides {
 
   //! Returns the PatchSide of the pairs first, first + 1, ...
   ERGO_HD static T sides(const PatchPairBatch& pairs, int first) {
-    // Round the patch: along its first row, up the last column, back along the last row, down the
-    // first column.
+    // Indices of the control points round the border of the patch: along its first row, up the last
+    // column, back along the last row, down the first column.
     constexpr int border[12] = {0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4};
     T p[13];
     T q[13];
@@ -171,7 +171,7 @@ struct FindPatchSides {
     const T zero(0.0F);
     const T way_p = to_p - from_p;
     const T way_q = to_q - from_q;
-    // Positive where the star, which is the origin, is to the left of the chord.
+    // `left` is positive where the star, which is the origin, is to the left of the chord.
     const T left = from_p * to_q - from_q * to_p;
     const Mask up = (from_q <= zero) & (to_q > zero) & (left > zero);
     const Mask down = (from_q > zero) & (to_q <= zero) & (left < zero);

@@ -59,12 +59,12 @@ struct PatchSearchBatch {
   int patch_threads;                  //!< threads that share the stars of a patch, as some patches hold thousands
   SharedList<SearchedPair> pairs[3];  //!< one list for each shape of patch
   //! Images that need no rays are completed here and stored in `exact` instead of `images`. The
-  //! members from `chart` to `exact` serve this.
+  //! members from `chart` to `exact` are only used for that.
   bool completes;
   LensChart chart;
   //! Energy at infinity of light that arrives from a rain-frame direction with energy 1.
   DirectionForm<float> energy;
-  AberrationOf<float> observer;  //!< between the observer's frame and the rain frame
+  AberrationOf<float> observer;  //!< aberration from the observer's frame to the rain frame
   BlackbodyTable colours;
   StarAppearance appearance;
   SharedList<SeenImage> exact;
@@ -74,13 +74,13 @@ struct PatchSearchBatch {
   int first_folded;
   SharedParts halved[2];      //!< used alternately: parts to be halved, and their halves
   SharedParts regular_parts;  //!< nearly affine parts
-  SharedParts folded_parts;   //!< all others that are not to be halved
+  SharedParts folded_parts;   //!< parts that are neither nearly affine nor to be halved
   //! Roots: one for each regular part, two for each folded part. Without a root, the area is NaN.
   FoldedRoot* regular_roots;
   FoldedRoot* folded_roots;
-  //! Roots of each pair of a folded patch, in two lists: from regular parts, then from folded parts.
-  //! Each list has root_counts roots, which begin at root_first in `roots`. While the lists are
-  //! filled, root_counts is the number of roots stored so far.
+  //! Roots of each pair of a folded patch and a star, in two lists: from regular parts, then from
+  //! folded parts. Each list has root_counts roots, which begin at root_first in `roots`. While the
+  //! lists are filled, root_counts is the number of roots stored so far.
   std::int32_t* root_counts;
   std::int32_t* root_first;
   FoldedRoot* roots;

@@ -34,7 +34,7 @@ ERGO_HD bool is_listed(const List& list, int index) {
   return index < *list.count && index < list.room;
 }
 
-//! Returns the parts of a list up to `last`.
+//! Returns the parts of a list from index 0 up to and including `last`.
 ERGO_HD SeenParts parts_to(const SharedParts& list, int last) { return {list.at, list.room, last + 1}; }
 
 //! Keeps the image at a root of a pair's patch if it may be bright enough. Completes it if it needs

@@ -10,7 +10,7 @@ struct RoughImage {
   //! Approximate solid angle of the sky per area of the chart; negative for inverted parity
   //! [sr/turn].
   float sky;
-  float brighter;  //!< factor by which it may be brighter than the grid indicates
+  float brighter;  //!< factor by which the image may be brighter than the grid indicates
   bool exact;      //!< needs no refinement by rays
   bool guessed;    //!< so near to a caustic that the grid cannot decide whether the image exists
 };
@@ -23,7 +23,7 @@ inline constexpr int max_roots = 6;
 //! patch is folded, and it passes the star so closely that its error leaves open whether the image
 //! exists.
 struct FoldedRoot {
-  float u, v;  //!< in [0, 1]² and slightly beyond, so that no root on a border is lost
+  float u, v;  //!< position in the patch: in [0, 1]² and slightly beyond, so that no root on a border is lost
   //! Jacobian determinant: area in the plane per area of the unit square; negative for inverted
   //! parity.
   float area;

@@ -24,7 +24,7 @@ struct SearchInputs {
   float faintest;  //!< images of lower illuminance are left out [lx]
   CorrectedLeaves corrected;
   SearchedField field;
-  ViewCone view;     //!< images outside may be left out
+  ViewCone view;     //!< images outside this view may be left out
   SkyRotation turn;  //!< rotation from the patches' azimuth, φ = 0, to the camera's
 };
 
@@ -37,7 +37,7 @@ ERGO_HD bool may_touch(const ViewCone& view, const Vector3<double>& axis, double
   if (along >= view.cosine) {
     return true;
   }
-  // A cosine falls by at most as much as the angle grows, so most calls compute none.
+  // A cosine falls by at most as much as the angle grows, so most calls need to compute no cosine.
   const double reach = view.half_angle + radius;
   return reach >= 3.14159265358979323846 || (along >= view.cosine - radius && along >= ::cos(reach));
 }

@@ -49,8 +49,8 @@ ERGO_HD NewtonLimits newton_limits(PatchShape shape) {
 //! Result of Newton's method for a pair.
 enum class PairResult {
   no_image,
-  image,     //!< at the root
-  undecided  //!< to be searched like a pair of a folded patch
+  image,     //!< the pair has an image at the root
+  undecided  //!< the pair must be searched like one of a folded patch
 };
 
 //! Decides from the end of Newton's method at (u, v) whether a pair has an image. `side`: on which
@@ -68,9 +68,9 @@ ERGO_HD PairResult pair_result(PatchShape shape, PatchSide side, bool found, flo
 //! Returns the maximum number of roots of a patch that is searched by halving.
 ERGO_HD int roots_wanted(const StarPatch& patch) { return patch.shape == PatchShape::bent ? 1 : max_roots; }
 
-//! Returns whether a root may be added to the `count` roots found so far: it lies within the patch,
-//! differs from all of them, and fewer than `wanted` are found (for a guess, also fewer than
-//! max_guesses).
+//! Returns whether a root may be added to the `count` roots found so far: it lies within the patch
+//! and differs from all of them, and fewer than `wanted` roots have been found (if the root is a
+//! guess, also fewer than max_guesses).
 ERGO_HD bool may_add_root(const FoldedRoot* roots, int count, int wanted, const FoldedRoot& root) {
   const bool guess = root.area == 0.0F;
   bool may = count < wanted && !(guess && count >= max_guesses) && within_patch<float>({root.u, root.v}, beyond_patch);

@@ -12,12 +12,12 @@ namespace ergodome {
 enum PartChannel : int {
   part_p = 0,   //!< 16 control points, row after row along v: p = x - a z
   part_q = 16,  //!< 16 control points: q = y - b z; p and q are 0 at the star
-  part_u = 32,  //!< where the part begins in the patch
+  part_u = 32,  //!< where the part begins in the patch, in [0, 1] along u; next channel: along v
   part_v = 33,
   part_size_u = 34,  //!< size as a fraction of the patch
   part_size_v = 35,
   part_pair = 36,   //!< index of the pair
-  part_error = 37,  //!< distance by which the patch may miss the sky, in its plane
+  part_error = 37,  //!< maximum deviation of the patch from the true sky, in the patch's plane
   //! Number of halvings after which Newton's method is used even if the part is not regular.
   part_halvings = 38,
   part_channels = 39
@@ -30,7 +30,7 @@ struct SeenParts {
   int count;
 };
 
-//! Converts whole patches to what their stars see.
+//! Converts whole patches to parts in the coordinates of their stars (SeenPatch).
 struct SeePatchesBatch {
   PatchPairBatch pairs;
   SeenParts whole;  //!< needs room for `pairs.count` parts
@@ -43,7 +43,7 @@ inline constexpr int part_padding = 16;
 enum PartList : int {
   to_halve,       //!< to be halved again
   regular_parts,  //!< nearly affine: Newton's method finds the only root
-  folded_parts,   //!< all others that are not to be halved
+  folded_parts,   //!< parts that are neither nearly affine nor to be halved
   part_lists
 };
 
@@ -54,7 +54,8 @@ struct HalvePartsBatch {
   int first;  //!< first part to be halved
   int last;   //!< one past the last part to be halved
   int depth;
-  //! By PartList. Each list needs room for two halves per part, plus part_padding.
+  //! Output lists, indexed by PartList. Each list needs room for two halves per part, plus
+  //! part_padding.
   SeenParts* lists[part_lists];
 };
 
@@ -65,7 +66,7 @@ inline constexpr int max_part_roots = 2;
 //! have only root 0.
 struct SolvePartsBatch {
   SeenParts parts;
-  bool folded;   //!< parts may be folded: roots are also sought outside of them and across the fold
+  bool folded;   //!< parts may be folded: roots are also sought outside the parts and across the fold
   float* found;  //!< 1 for a root, 0 for none
   float* u;      //!< position in the patch
   float* v;

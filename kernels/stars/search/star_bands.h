@@ -6,7 +6,7 @@
 #include "kernels/stars/field_star.h"
 #include "kernels/stars/search/star_patch.h"
 
-// Stars sorted by position on the sky, and the search for those in a part of it.
+// Stars sorted by position on the sky, and the search for the stars in a part of the sky.
 namespace ergodome {
 
 //! SIMD packs read up to this many elements past the end of the arrays of stars.
@@ -43,7 +43,7 @@ struct SearchedField {
   const float* max_gain;   //!< maximum gain of the stars in the field, for each row
 };
 
-//! Finds the stars in a part of the sky that are above a brightness threshold.
+//! Finds the stars that lie in a part of the sky and are brighter than a threshold.
 struct StarSearchBatch {
   const SearchedField* field;
   SkyPart part;
@@ -61,8 +61,8 @@ struct Kernel<StarSearchBatch> : KernelDefaults {
 
 inline namespace ERGO_TARGET {
 
-//! Returns which of `parts` equal parts of [0, 1) contains a position; for positions outside, the
-//! first or the last.
+//! Returns which of `parts` equal parts of [0, 1) contains a position; for positions outside [0,
+//! 1), returns the first or the last part.
 template <class S>
 ERGO_HD int cell_among(S position, int parts) {
   const int at = static_cast<int>(position * static_cast<S>(parts));

@@ -19,14 +19,14 @@ struct PatchFrame {
 struct SkyBounds {
   float low;          //!< minimum height z
   float high;         //!< maximum height z
-  float turns;        //!< where its azimuths begin, in [0, 1)
-  float width_turns;  //!< range of azimuths; 1 about a pole
+  float turns;        //!< where the range of azimuths begins [turns], in [0, 1)
+  float width_turns;  //!< width of the range of azimuths [turns]; 1 about a pole
 };
 
 //! A part of the sky in which stars are sought: the inside of four planes through the sky's center,
 //! with its bounds.
 struct SkyPart {
-  float inward[4][3];  //!< inward normals of its four sides
+  float inward[4][3];  //!< inward normals of the four planes
   SkyBounds bounds;
 };
 
@@ -57,23 +57,24 @@ struct StarPatch {
   BezierPatch sky;  //!< direction on the sky as a function of (u, v), in the patch's own frame
   PatchFrame frame;
   SkyPart part;  //!< part of the sky that encloses the patch
-  //! Lower end of its rectangle in the chart, with `s`; its size is (width_turns, height).
+  //! Lower corner (gamma_turns, s) of the patch's rectangle in the chart; the rectangle's size is
+  //! (width_turns, height).
   float gamma_turns;
   float s;
   float width_turns;
   float height;
   PatchShape shape;
-  int leaf;        //!< leaf of the grid that it is part of
-  float brighter;  //!< factor by which an image in it may be brighter than the grid indicates
-  bool exact;      //!< images in it need no rays after their correction, unless it is folded
+  int leaf;        //!< leaf of the grid that contains the patch
+  float brighter;  //!< factor by which an image in the patch may be brighter than the grid indicates
+  bool exact;      //!< images in the patch need no rays after their correction, unless the patch is folded
   //! Distance by which the patch may deviate from the true sky [rad]. It only matters next to
   //! critical curves, and is 0 if the patch cannot contain one.
   float error;
-  int halvings;  //!< maximum number of halvings in its search, if it is not regular
+  int halvings;  //!< maximum number of halvings when the patch is searched, if it is not regular
   PatchLight light;
-  Vector3<float> seen;  //!< direction to it in the observer's frame
-  float seen_radius;    //!< half angle of a cone about that direction that encloses it [rad]
-  //! Maximum solid angle of the rain frame's camera per unit of its (u, v) [sr].
+  Vector3<float> seen;  //!< direction to the patch in the observer's frame
+  float seen_radius;    //!< half angle of a cone about that direction that encloses the patch [rad]
+  //! Maximum solid angle of the rain frame's camera per unit area of the patch's (u, v) [sr].
   float max_camera;
   //! Maximum magnification of images in the rain frame. In a folded patch, it is exceeded only for
   //! stars on 1e-8 sr of the sky.
