@@ -53,8 +53,8 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
       nearest = candidate;
     }
   }
-  // An abbreviation has a large edit distance to its word, so abbreviations of at least this length
-  // are completed.
+  // An abbreviation has a large edit distance to its word, so words of at least this length are
+  // also compared with the beginnings of the words.
   constexpr std::size_t min_letters = 3;
   const auto begins = [&](const std::string& candidate) { return candidate.starts_with(bounded); };
   if (nearest.empty() && bounded.size() >= min_letters && std::ranges::count_if(words, begins) == 1) {

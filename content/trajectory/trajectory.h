@@ -33,9 +33,9 @@ struct StationEntry {
   std::uint64_t offset = 0;  //!< offset of the station's frame in the file
   std::uint64_t bytes = 0;   //!< size of the station's frame
   //! Error on the screen if this station and the next one are blended: the larger of the errors at
-  //! a quarter and at half of the way [px]. The error at one point is the larger of two values: the
-  //! error that 1% of the sky exceeds, and a fifth of the error that 0.1% of the sky exceeds. 0 if
-  //! the camera does not move, -1 for the last station.
+  //! a quarter and at half of the way between them [px]. The error at one point is the larger of
+  //! two values: the error that 1% of the sky exceeds, and a fifth of the error that 0.1% of the
+  //! sky exceeds. 0 if the camera does not move, -1 for the last station.
   float gap_error_px = -1.0F;
   std::uint32_t nodes = 0;
   std::uint32_t leaves = 0;

@@ -37,7 +37,8 @@ struct Pack {
   Register lanes;
 
   Pack() = default;
-  Pack(T value) : lanes(Register{} + value) {}  // NOLINT(google-explicit-constructor): a number is a uniform pack
+  // NOLINTNEXTLINE(google-explicit-constructor): a number becomes a pack with it in every lane
+  Pack(T value) : lanes(Register{} + value) {}
   explicit Pack(const Register& value) : lanes(value) {}
 };
 

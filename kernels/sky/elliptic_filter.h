@@ -80,10 +80,10 @@ struct ProbeLine {
 };
 
 //! Computes the probes of an ellipse. A mip level that is read bilinearly is approximately a round
-//! Gaussian with a standard deviation of half a texel; the line adds the additional variance of the
-//! major axis. Probes have the weights exp(-3.12 x²), where x reaches 1 half a spacing past the
-//! last probe. A spacing of 5.2 standard deviations divided by the number of probes then yields
-//! that variance (for two probes: 4 standard deviations).
+//! Gaussian with a standard deviation of half a texel; the line adds the additional variance σ² of
+//! the major axis. Probes have the weights exp(-3.12 x²), where x reaches 1 half a spacing past the
+//! last probe. A spacing of 5.2 σ / (number of probes) then yields that variance; for two probes
+//! the spacing is 4 σ / 2.
 template <class T>
 ERGO_HD ProbeLine<T> probe_line(const CubeMap& map, const Ellipse<T>& ellipse) {
   const T one(1.0F);

@@ -36,9 +36,9 @@ struct ExrLayer {
 //! part. A part whose only channel has another name is a gray layer.
 std::vector<ExrLayer> exr_layers(const std::vector<ExrPart>& parts);
 
-//! Returns the layer with a name, compared with the layer's last word and its full name, ignoring
-//! case. For an empty name, returns the layer of plain R, G, B, or else the layer Combined, rgba or
-//! beauty, or else the only layer. If none or several match, sets `problem` to a list of the
+//! Returns the layer with a name, which may be the layer's full name or its last word; case is
+//! ignored. For an empty name, returns the layer of plain R, G, B, or else the layer Combined, rgba
+//! or beauty, or else the only layer. If none or several match, sets `problem` to a list of the
 //! layers.
 ExrLayer choose_exr_layer(const std::vector<ExrLayer>& layers, const std::string& name, std::string& problem);
 

@@ -8,7 +8,7 @@ namespace ergodome {
 //! The position of an image in an equirectangular panorama [px], from the XMP metadata that cameras
 //! and stitchers write.
 struct PanoramaCrop {
-  int full_width = 0;  //!< 0 if the metadata has no crop
+  int full_width = 0;  //!< width of the whole panorama [px]; 0 if the metadata has no crop
   int full_height = 0;
   int left = 0;
   int top = 0;

@@ -22,7 +22,7 @@ struct RayBatch {
   int count;
   const Scalar* direction[3];  //!< unit vectors in the observer's frame (e_r, e_θ, e_φ)
   Scalar* sky[3];              //!< unit vectors to the sources, rotated by camera φ; 0 unless LightEnd::sky
-  Scalar* frequency_ratio;     //!< g = ν_observed / ν_emitted; formally 1 / E for captured rays
+  Scalar* frequency_ratio;     //!< g = ν_observed / ν_emitted; for captured rays this is formally 1 / E
   Scalar* status;              //!< LightEnd as a number
   Scalar* steps;               //!< integration steps
   Scalar* error_estimate;      //!< the integrator's estimate [rad]
