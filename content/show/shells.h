@@ -16,7 +16,7 @@ inline constexpr double min_shell_gap = 1e-3;
 //! A sphere r = const around the hole, with a grid of parallels and meridians: one of a show's
 //! [[shells]].
 struct ShellSettings {
-  double radius = 10.0;       //!< Boyer-Lindquist [M]
+  double radius = 10.0;       //!< Boyer-Lindquist radius [M]
   double spacing_deg = 15.0;  //!< angle between grid lines; divides 180
   //! Width of the lines as seen from the center of the shell; 0: no lines.
   double line_width_deg = 1.0;

@@ -26,8 +26,8 @@ struct StationCells {
 };
 
 //! Reads what write_cells() wrote. `stored_floats` is the minimum number of floats per node that
-//! follow. Throws Error, which names `location`, if the data cannot be read safely or no camera can
-//! be there.
+//! follow. Throws Error, which names `location`, if the data cannot be read safely or if no camera
+//! can be at the station's position.
 StationCells read_cells(ByteReader& from, std::size_t stored_floats, const std::string& location);
 
 //! A losslessly compressed payload of a frame.

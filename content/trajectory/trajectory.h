@@ -60,7 +60,7 @@ struct Gap {
 struct MissedGaps {
   int count = 0;
   double seconds = 0.0;       //!< total duration
-  double worst_px = 0.0;      //!< largest error
+  double worst_px = 0.0;      //!< largest blending error [px]
   double worst_time_s = 0.0;  //!< show time in the middle of the gap with the largest error
 };
 

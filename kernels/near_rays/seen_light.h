@@ -41,7 +41,7 @@ ERGO_HD SeenLanes<T> operator+(const SeenLanes<T>& a, const SeenLanes<T>& b) {
 //! Number of samples along each side of a pixel that contains images finer than itself.
 inline constexpr int near_samples = 4;
 
-//! A part of a pixel: the offset of its middle from the pixel's, and its width [px].
+//! A part of a pixel: the offset of its middle from the pixel's middle, and its width [px].
 template <class S>
 struct NearSample {
   S along;

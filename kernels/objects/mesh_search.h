@@ -12,7 +12,7 @@ struct MeshHit {
   std::uint32_t tree_index = 0;  //!< index of the triangle in its TriangleTree
   double weight_1 = 0.0;         //!< weights of the second and the third corner; the first has the rest
   double weight_2 = 0.0;
-  Vector3<double> point;  //!< pseudo-Cartesian [M]
+  Vector3<double> point;  //!< position of the hit, pseudo-Cartesian [M]
   //! Coordinate time from the hit to the camera [M]; only with NearParts::azimuth_and_delay.
   double delay = 0.0;
   //! Mino time from the hit to the camera, for a photon seen with energy 1 [1/M].

@@ -9,7 +9,7 @@ namespace ergodome {
 
 //! Range of radii that contains all objects [M].
 struct RadialBounds {
-  double minimum;  //!< outside the horizon
+  double minimum;  //!< minimum radius; it is outside the horizon
   double maximum;
 };
 

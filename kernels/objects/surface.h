@@ -124,8 +124,8 @@ ERGO_HD WrappedTexture wrapped_texture(float x, TextureWrap wrap) {
 }
 
 //! Returns the linear light of a surface: its own light if it is not lit, otherwise the light that
-//! it reflects under white light of strength 1. `footprint`: of the texture, in a pixel or less; v
-//! counts upwards.
+//! it reflects under white light of strength 1. `footprint`: that of a pixel, or of a smaller area,
+//! on the texture; its v counts upwards.
 ERGO_HD Vector3<float> surface_color(const SurfaceAppearance& appearance, const SurfacePoint& at,
                                      const OverlayFootprint& footprint) {
   const SurfacePart& part = appearance.surface.parts[at.part];

@@ -27,7 +27,7 @@ ERGO_HD void set_vector_lane(Vector3<Dual<T>>& v, int i, const Vector3<Dual<doub
 }
 
 //! Minimum distance within which the edge is sought [px], as the ray in the middle does not predict
-//! footprints next to the edge either.
+//! footprints next to the edge.
 inline constexpr double min_edge_px = 0.7;
 
 //! Returns the lanes where the edge of a shadow is within `half_x_px` and `half_y_px` of a

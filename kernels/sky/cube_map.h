@@ -20,7 +20,8 @@ inline constexpr int cube_level_limit = 16;
 //! filtering, dividing it by the filtered luminance yields the luminance-weighted mean of ln T, so
 //! dark texels have no influence.
 struct CubeMap {
-  //! Four floats per texel, 16-byte aligned: red, green, blue, and the fourth as above.
+  //! Four floats per texel, 16-byte aligned: red, green, blue, and the fourth number that CubeMap
+  //! describes.
   const float* texels;
   long level_offset[cube_level_limit];  //!< first texel of each level; a level has 6 (size + 2)² texels
   //! Width of a face at level 0, a power of two; level k has face_size >> k.

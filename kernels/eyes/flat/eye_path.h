@@ -150,8 +150,9 @@ class EyeStep {
   //! Selects the direction of a neighboring line of sight for the calls that follow.
   ERGO_HD void turn_to(const Vector3<double>& m) { reference_.m = m; }
 
-  //! Returns the eye's path along the kept part of the step, without derivatives. The eye's offset
-  //! from the reference ray is approximated by a parabola in the ray's time.
+  //! Returns the eye's path along the part of the step that keep() has selected, without
+  //! derivatives. The eye's offset from the reference ray is approximated by a parabola in the
+  //! ray's time.
   [[nodiscard]] ERGO_HD PathStep<Order, Parts, double> along() {
     if (!moved_) {
       move_to_begin();

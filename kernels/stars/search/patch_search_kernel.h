@@ -90,7 +90,7 @@ struct FindPatchPairs {
 };
 
 //! Seeks the star of pair i in its patch by Newton's method from the middle. Undecided pairs are
-//! left to the search of folded ones.
+//! passed on to the search of folded patches.
 template <PatchShape Shape>
 struct InvertPair {
   PatchSearchBatch batch;
