@@ -67,7 +67,7 @@ class PlayBudget {
   std::optional<RateKeeper> keeper_;  //!< empty if the budget has no frame rate
   std::optional<RateRecord> record_;  //!< empty if the budget has no frame rate
   std::deque<double> errors_px_;
-  double work_ms_ = 0.0;      //!< time of the last picture
+  double work_ms_ = 0.0;      //!< drawing time of the last picture
   double interval_ms_ = 0.0;  //!< smoothed interval between pictures; 0: none yet
   double errors_due_s_ = 0.0;
   double lens_share_ = 1.0;  //!< factor on the rung's lens budget

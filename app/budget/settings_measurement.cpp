@@ -33,11 +33,12 @@ constexpr std::size_t timed_moments = 2;
 constexpr double moments_share = 0.25;
 constexpr double pictures_share = 0.6;
 constexpr double lenses_share = 0.9;
-//! Range of budgets of lenses relative to the budget's error. The range starts above 1, because
-//! grids are mostly better than their budget.
+//! Range of the error budgets that lenses are tried with, as factors on the error that the user's
+//! budget allows. The first, loosest one exceeds 1, because grids are mostly better than their
+//! budget.
 constexpr double loosest_lens = 2.0;
 constexpr double finest_lens = 0.03;
-//! Range of budgets of lenses if the budget has no error [px].
+//! The same range [px] if the user's budget has no error.
 constexpr double loosest_px = 0.5;
 constexpr double finest_px = 0.015;
 

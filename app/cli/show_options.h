@@ -19,7 +19,7 @@ struct ShowOverrides {
   std::string objects;  //!< method of drawing objects
   std::string stereo;   //!< stereo layout
   std::optional<double> tilt_deg;
-  std::optional<double> baseline;  //!< [M]
+  std::optional<double> baseline;  //!< interocular distance [M]
 };
 
 // Add options to a command; `overrides` must outlive it.

@@ -136,7 +136,8 @@ void report_frames(const RenderOptions& options, const FrameWriter& writer) {
 [[noreturn]] void stop(const RenderOptions& options, const FrameWriter& writer, int first, int last) {
   std::string unwritten;
   try {
-    // Written because the summary of an earlier run may describe other frames.
+    // Written even after an interruption, because the summary that an earlier run left may describe
+    // other frames than [first, last].
     write_metadata(options, writer, first, last);
   } catch (const Error& problem) {
     unwritten = fmt::format(" (and {})", problem.what());

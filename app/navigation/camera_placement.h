@@ -10,7 +10,7 @@ namespace ergodome {
 //! directions in a non-rotating space (z along the spin axis). Continuous where the camera crosses
 //! the axis, unlike a pose.
 struct CameraPlacement {
-  double r = 10.0;                    //!< [M]
+  double r = 10.0;                    //!< Boyer-Lindquist radius [M]
   glm::dvec3 towards{1.0, 0.0, 0.0};  //!< unit vector from the hole to the camera
   //! Rotation from the view's axes (x right, y up, z back) to the non-rotating space with z along
   //! the spin axis.
@@ -19,10 +19,10 @@ struct CameraPlacement {
 
 CameraPlacement placement_of(const CameraPose& pose);
 
-//! Returns the pose with φ in [-π, π]; on the axis, φ is 0.
+//! Returns the pose with φ in [-π, π]; on the spin axis, φ is 0.
 CameraPose pose_of(const CameraPlacement& placement);
 
-//! Returns the unit vector to the east; on the axis, +y.
+//! Returns the unit vector to the east; on the spin axis, +y.
 glm::dvec3 east_at(const glm::dvec3& towards);
 
 //! Moves a unit vector along a great circle by `step`, a perpendicular vector in radians.

@@ -24,7 +24,7 @@ struct LocalScale {
   double radial;    //!< dr per proper length
   double southern;  //!< change of the polar angle per proper length along the meridian [1/M]
   //! Along the circle of latitude: sinθ times the change of azimuth, per proper length [1/M]. On
-  //! the axis it equals `southern`.
+  //! the spin axis it equals `southern`.
   double eastern;
 };
 

@@ -57,7 +57,7 @@ NearestVelocity nearest_velocity(ObserverMotion motion, Spacetime spacetime, dou
     return {observer_velocity(motion, spacetime, r, theta, {}), false};
   }
   if (!(std::abs(std::sin(theta)) > 0.0)) {
-    return {};  // on the axis nothing orbits
+    return {};  // on the spin axis nothing orbits
   }
   const double along = observer_velocity(motion, spacetime, r, theta, {}).z;
   if (std::isnan(along)) {

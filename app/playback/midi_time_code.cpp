@@ -167,8 +167,8 @@ bool MidiTimeCodeReader::follows_from_the_codes_before(std::int64_t code, CodeRa
 }
 
 std::optional<MidiTimeCodeReader::Reading> MidiTimeCodeReader::read_full_frame() {
-  // F0 7F DEVICE 01 01 HOURS MINUTES SECONDS FRAMES F7: universal real time message, for any
-  // device.
+  // F0 7F DEVICE 01 01 HOURS MINUTES SECONDS FRAMES F7: a universal real-time message. It is
+  // accepted whatever DEVICE is.
   if (exclusive_.size() != 8 || exclusive_[0] != 0x7F || exclusive_[2] != 0x01 || exclusive_[3] != 0x01) {
     return std::nullopt;
   }

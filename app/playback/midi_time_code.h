@@ -78,9 +78,10 @@ class MidiTimeCodeReader {
   std::vector<std::uint8_t> exclusive_;
 
   std::array<std::uint8_t, 8> pieces_{};
-  int piece_ = -1;     //!< number of the last received piece of a code, 0 to 7; -1: none
-  int direction_ = 0;  //!< direction of the pieces
-  int in_row_ = 0;     //!< consecutive pieces, up to the eight of a code
+  int piece_ = -1;  //!< number of the last received piece of a code, 0 to 7; -1: none
+  //! 1: pieces arrive in increasing order; -1: in decreasing order; 0: unknown.
+  int direction_ = 0;
+  int in_row_ = 0;  //!< consecutive pieces, up to the eight of a code
   //! Frame number of the code that is being received, computed from the code before.
   std::optional<std::int64_t> code_;
   //! Frame number of the last accepted code or full frame message.

@@ -29,7 +29,7 @@ ProjectorAxes axes_of(const Orientation& orientation);
 Orientation orientation_of(const ProjectorAxes& axes);
 
 //! The half angles of a flat lens's image [deg]: right and up are positive, left and down negative
-//! if the axis is inside the image.
+//! if the lens axis is inside the image.
 struct Frustum {
   double left_deg = -30.0;
   double right_deg = 30.0;
@@ -41,22 +41,23 @@ struct Frustum {
 //! 0 to 1, y down.
 Vector3<double> direction_from_raster(const ProjectorAxes& axes, const Frustum& frustum, double x, double y);
 
-//! A fisheye lens: radius as an odd polynomial of the angle from the axis, or proportional to it.
+//! A fisheye lens: radius as an odd polynomial of the angle from the lens axis, or proportional to
+//! it.
 struct ProjectorFisheye {
   double field_of_view_deg = 180.0;  //!< full angle across the image circle
   double circle = 1.0;  //!< diameter of the image circle in raster heights; for lenses without a polynomial
   std::vector<double>
       polynomial;  //!< f1, f3, f5, f7: r = f1 t + f3 t^3 + ..., t in rad, r in half-widths of the raster
-  //! Offset of the axis from the center of the raster, to the right in half-widths.
+  //! Offset of the lens axis from the center of the raster, to the right in half-widths.
   double offset_x = 0.0;
-  double offset_y = 0.0;  //!< offset of the axis upwards, in half-heights
+  double offset_y = 0.0;  //!< offset of the lens axis upwards, in half-heights
 };
 
 //! A lens: none (only the warp defines the projection), flat, or fisheye.
 using Lens = std::variant<std::monostate, Frustum, ProjectorFisheye>;
 
-//! Returns the angle from the axis up to which a polynomial f1 t + f3 t^3 + ... increases [rad]; at
-//! most π.
+//! Returns the angle from the lens axis up to which a polynomial f1 t + f3 t^3 + ... increases
+//! [rad]; at most π.
 double growing_angle(const std::vector<double>& polynomial);
 
 }  // namespace ergodome

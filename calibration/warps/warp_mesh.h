@@ -21,7 +21,7 @@ inline constexpr std::size_t max_mesh_nodes = std::size_t{1} << 25U;
 
 //! One node of a warp.
 struct WarpNode {
-  float x = 0.0F;  //!< position on the raster; may be outside it
+  float x = 0.0F;  //!< position on the projector's raster; may be outside it
   float y = 0.0F;
   float u = 0.0F;  //!< position in the source image
   float v = 0.0F;

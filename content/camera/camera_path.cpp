@@ -29,8 +29,8 @@ struct Way {
 
 double span_s(const CameraKeys& keys, std::size_t i) { return keys[i + 1].time_s - leave_s(keys[i]); }
 
-//! Returns the derivatives of a quantity at both ends of a segment. `rise(i)` is the quantity's
-//! increase from key i to the next one.
+//! Returns the first and second derivatives by time of a quantity at both ends of a segment.
+//! `rise(i)` is the quantity's increase from key i to the next one.
 template <class Rise>
 std::pair<KeyMotion, KeyMotion> motions(const CameraKeys& keys, const Way& way, const Rise& rise) {
   const auto chord = [&](std::size_t i) {

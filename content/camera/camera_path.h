@@ -13,9 +13,9 @@ namespace ergodome {
 //! (e_r, e_θ, e_φ). With the view toward the hole, right is e_φ, up is -e_θ (toward the spin axis)
 //! and back is e_r.
 struct CameraPose {
-  double r;      //!< [M]
-  double theta;  //!< [rad]
-  double phi;    //!< [rad]; inside the horizon the azimuth of ingoing Kerr coordinates
+  double r;      //!< Boyer-Lindquist radius [M]
+  double theta;  //!< polar angle [rad]
+  double phi;    //!< azimuth [rad]; inside the horizon, in ingoing Kerr coordinates
   glm::dquat orientation;
   //! Velocity of the observer in the ZAMO frame, below that of light; absent: the show's observer,
   //! or one that replaces it, defines the velocity.

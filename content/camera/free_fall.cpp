@@ -167,8 +167,9 @@ struct FreeFall::Swing {
   double last;  //!< value of `measure` at the last turning point, or at the beginning
 };
 
-//! Records a turning point if there is one in a step. FallTurn::time_s holds its proper time until
-//! the constructor replaces it by the show time.
+//! Records a turning point of the quantity of `swing` (r or θ) if there is one between two
+//! stations. FallTurn::time_s holds its proper time until the constructor replaces it by the show
+//! time.
 void FreeFall::note_turn(const Station& from, const Station& to, Swing& swing) {
   const bool rises = swing.rate(from.state) > 0.0;
   const bool has_swung = std::abs(swing.measure(from.state) - swing.last) > 0.5 * min_swing;

@@ -11,23 +11,24 @@ namespace ergodome {
 
 //! Initial position and velocity of a fall.
 struct FallStart {
-  double r;                  //!< [M]
-  double theta;              //!< [rad]
-  double phi;                //!< [rad]
+  double r;                  //!< Boyer-Lindquist radius [M]
+  double theta;              //!< polar angle [rad]
+  double phi;                //!< azimuth [rad]
   Vector3<double> velocity;  //!< velocity in the ZAMO frame (e_r, e_θ, e_φ), below that of light
 };
 
 //! A falling camera at one instant.
 struct FallPosition {
-  double r;      //!< [M]
-  double theta;  //!< [rad]
-  double phi;    //!< [rad]; continues over many turns; inside the horizon that of ingoing Kerr coordinates
+  double r;      //!< Boyer-Lindquist radius [M]
+  double theta;  //!< polar angle [rad]
+  //! Azimuth [rad]; continues over many turns; inside the horizon, in ingoing Kerr coordinates.
+  double phi;
   //! Velocity in the ZAMO frame; in the rain frame if the fall leads through the horizon.
   Vector3<double> velocity;
   //! Rotation from the initial (e_r, e_θ, e_φ), transported along the fall without a roll around
-  //! e_r, to those at this position. It is continuous across the axis. If the fall leads through
-  //! the horizon, it turns axes boosted from the ZAMO at the start into axes boosted from the rain
-  //! at this position.
+  //! e_r, to those at this position. It is continuous across the spin axis. If the fall leads
+  //! through the horizon, it turns axes boosted from the ZAMO at the start into axes boosted from
+  //! the rain at this position.
   glm::dquat frame;
 };
 
@@ -36,8 +37,8 @@ struct FallTurn {
   enum class Kind { nearest, farthest, northernmost, southernmost };
   Kind kind;
   double time_s;
-  double r;      //!< [M]
-  double theta;  //!< [rad]
+  double r;      //!< Boyer-Lindquist radius [M]
+  double theta;  //!< polar angle [rad]
 };
 
 //! A timelike geodesic of Kerr spacetime as a function of the camera's proper time, integrated
@@ -85,7 +86,7 @@ class FreeFall {
   [[nodiscard]] double proper_time(double time_s) const;
 
   //! Returns the angle that the direction from the hole to the camera has swept since the fall
-  //! began [rad], across the axis or around it.
+  //! began [rad], across the spin axis or around it.
   [[nodiscard]] double swept_angle(double time_s) const;
 
  private:

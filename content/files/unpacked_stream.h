@@ -35,7 +35,7 @@ class UnpackedStream {
   std::istream& stream_;
   std::string location_;
   std::string packed_;                  //!< bytes read from the stream
-  std::size_t next_ = 0;                //!< index of the first unused byte in `packed_`
+  std::size_t next_ = 0;                //!< index in `packed_` of the first byte to unpack
   std::uint64_t packed_bytes_ = 0;      //!< total number of bytes read
   std::uint64_t unpacked_bytes_ = 0;    //!< total number of bytes written
   std::unique_ptr<Inflater> inflater_;  //!< null for uncompressed data

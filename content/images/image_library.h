@@ -106,7 +106,7 @@ class ImageOutput {
   virtual bool open(const std::string& path, std::span<const ImagePlan> parts) = 0;
   virtual bool open_next(const std::string& path, const ImagePlan& part) = 0;
 
-  //! Writes all pixels of the current part.
+  //! Writes all pixels of the part of the file that open() or open_next() began last.
   virtual bool write(const float* pixels) = 0;
   virtual bool write(const std::uint8_t* pixels) = 0;
   virtual bool write(const std::uint16_t* pixels) = 0;

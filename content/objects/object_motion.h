@@ -8,8 +8,9 @@ namespace ergodome {
 
 //! Position and rotation of an object: point = position + size · rows · (point of the mesh).
 struct ObjectPlacement {
-  Vector3<double> position;  //!< position of the mesh's origin [M]
-  double rows[3][3];         //!< a rotation
+  //! Position of the mesh's origin, pseudo-Cartesian, relative to the hole [M].
+  Vector3<double> position;
+  double rows[3][3];  //!< a rotation
   Vector3<double> ahead = {0.0, 0.0,
                            //! For an object on an orbit: its position a quarter turn later,
                            //! relative to the hole [M].

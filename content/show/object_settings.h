@@ -26,8 +26,8 @@ inline constexpr std::array object_method_names = {"polygon", "trace"};
 
 //! A circular orbit, traversed at the angular velocity of orbit_rate().
 struct ObjectOrbit {
-  double r = 10.0;           //!< [M]
-  double phi = 0.0;          //!< angle on the orbit at time 0, from the ascending node [rad]
+  double r = 10.0;           //!< radius of the orbit [M]
+  double phi = 0.0;          //!< angle on the orbit at show time 0, from the ascending node [rad]
   double inclination = 0.0;  //!< inclination of the orbit to the plane z = 0 [rad]
   double node = 0.0;         //!< azimuth of the ascending node [rad]
   double speed = 20.0;       //!< M of the hole's time per second of the show; negative runs backward
@@ -39,8 +39,9 @@ struct ObjectOrbit {
 //! The position of an object at a time of the show.
 struct ObjectKey {
   double time_s = 0.0;
-  Vector3<double> position = {0.0, 0.0, 0.0};  //!< position of the mesh's origin [M]
-  Ease ease = Ease::smooth;                    //!< easing from this key to the next
+  //! Position of the mesh's origin, pseudo-Cartesian as in ObjectSettings [M].
+  Vector3<double> position = {0.0, 0.0, 0.0};
+  Ease ease = Ease::smooth;  //!< easing from this key to the next
 };
 
 //! A checkerboard over the texture coordinates.
@@ -85,7 +86,8 @@ struct ObjectSettings {
 
 //! A static point light.
 struct PointLight {
-  Vector3<double> position = {0.0, 0.0, 0.0};  //!< pseudo-Cartesian [M]
+  //! The light's position, pseudo-Cartesian as in ObjectSettings [M].
+  Vector3<double> position = {0.0, 0.0, 0.0};
   //! Illuminance, in white light, of a surface that faces the light at a distance of 1 M in flat
   //! space.
   double strength = 1.0;

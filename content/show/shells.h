@@ -17,7 +17,7 @@ inline constexpr double min_shell_gap = 1e-3;
 //! [[shells]].
 struct ShellSettings {
   double radius = 10.0;       //!< Boyer-Lindquist radius [M]
-  double spacing_deg = 15.0;  //!< angle between grid lines; divides 180
+  double spacing_deg = 15.0;  //!< angle between grid lines at the shell's center; divides 180
   //! Width of the lines as seen from the center of the shell; 0: no lines.
   double line_width_deg = 1.0;
   std::array<double, 3> line_color = {1.0, 1.0, 1.0};  //!< linear light

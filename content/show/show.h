@@ -69,7 +69,7 @@ enum class StarMethod { inverse, gather };
 
 struct SkySettings {
   std::string map = "milky_way";  //!< a built-in name, or a path relative to the show
-  MapLayout map_layout;           //!< layout of the map, if that is a path
+  MapLayout map_layout;           //!< layout of the sky map, if `map` is a path
   std::string stars;              //!< a built-in name, a path, or empty for no stars
   StarMethod star_method = StarMethod::inverse;
   double faintest_mag = 10.0;       //!< star images that appear fainter than this are not drawn
@@ -165,7 +165,7 @@ struct ViewSettings {
   //! Lens of the dome view; the next three members are also for the dome view.
   LensLaw lens = LensLaw::equidistant;
   //! Coefficients of t, t³, t⁵ and t⁷ in the radius of LensLaw::polynomial [half widths of the
-  //! image], where t is the angle from the axis [rad].
+  //! image], where t is the angle from the lens axis [rad].
   std::array<double, 4> polynomial = {};
   DomeTruncation truncation;
   Vector3<double> viewer = {0.0, 0.0, 0.0};  //!< position relative to the dome's center: right, up, back; in dome radii

@@ -360,8 +360,9 @@ struct KeyList {
   constexpr operator KeyTable<Settings>() const { return {keys}; }
 };
 
-//! Returns the list of a struct's keys. Keys of another struct, numbers without a range, words
-//! without names and values without a meaning do not compile.
+//! Returns the list of a struct's keys. Does not compile if a key belongs to another struct, a
+//! numeric key has no range, a key of kind `word` has no list of allowed words, or a key that is
+//! not a table has no explanation (ShowKey::meaning).
 template <class Settings, class... Keys>
 constexpr KeyList<Settings, sizeof...(Keys)> keys_of(const Keys&... keys) {
   static_assert((std::is_same_v<Keys, KeyOf<Settings>> && ...));

@@ -16,8 +16,9 @@ class UnusedKeyFinder {
  public:
   explicit UnusedKeyFinder(const Show& show) : show_(show) {}
 
-  //! Records a key as unused, with the animations of the key and of all keys below it. If the key
-  //! has no line of its own in the file, also records the keys below it.
+  //! Lists a key as unused, and, as further entries of the list, the animations of the key and of
+  //! all keys below it. If the key has no line of its own in the file, also lists the keys below
+  //! it.
   void add(const std::string& key, const char* why) {
     for (const auto& [path, line] : show_.lines) {
       std::string_view of = path;

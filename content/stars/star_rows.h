@@ -30,7 +30,7 @@ class StarRows {
   //! does. Throws Error for unsupported units.
   bool take_units(const RowCells& cells, std::size_t line);
 
-  //! Counts skipped rows.
+  //! Records skipped rows of the table.
   void leave_out(const RowsLeftOut& rows);
 
   [[nodiscard]] const TableColumns& columns() const { return columns_; }

@@ -12,11 +12,11 @@ namespace ergodome {
 struct PairRow {
   std::string text;         //!< the four numbers as written, between commas
   std::string location;     //!< file and line, for messages
-  double r_observer = 0.0;  //!< [M]
-  double r = 0.0;           //!< [M]
+  double r_observer = 0.0;  //!< the observer's radius coordinate [M]
+  double r = 0.0;           //!< the point's radius coordinate [M]
   double phi = 0.0;         //!< azimuth of the point; the observer's is 0 [rad]
   int order = 1;            //!< 1: the direct image; 2: light around the other side; 3: one more way around; ...
-  double angle = 0.0;       //!< azimuth that the ray sweeps [rad]
+  double angle = 0.0;       //!< azimuth about the hole that the ray sweeps [rad]
 };
 
 //! Maximum order: images of higher order differ from the shadow's edge by less than double

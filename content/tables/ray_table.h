@@ -13,8 +13,8 @@ namespace ergodome {
 struct RayRow {
   std::string id;  //!< as in the file; the row's index from 0 if the file has no such column
   Spacetime spacetime;
-  double r = 0.0;      //!< [M]
-  double theta = 0.0;  //!< [rad]
+  double r = 0.0;      //!< camera's Boyer-Lindquist radius [M]
+  double theta = 0.0;  //!< camera's polar angle [rad]
   ObserverMotion motion = ObserverMotion::zamo;
   Vector3<double>
       //! Velocity in the ZAMO frame for ObserverMotion::velocity ("boost"), in the rain frame for

@@ -8,20 +8,20 @@ namespace ergodome {
 namespace {
 
 // Constraints for a span of length h that rises at the mean rate d (falling spans are mirrored)
-// from the value p, and begins with the first derivative m and the second derivative s. Its first
-// Bernstein coefficients are p, p + h m / 5 and p + 2 h m / 5 + h² s / 20. They increase, and stay
-// in the first half of the span's rise, if m ≥ 0 and -4 m / h ≤ s ≤ 10 d / h - 8 m / h. At the end
-// of a span the same holds with the sign of s reversed. The two spans at a key share m and s. An s
-// that satisfies both exists if m ≤ 2.5 d for both spans, and if m is at most 1.25 times the slope
-// of the parabola.
+// from the value p, and begins with the first derivative m and the second derivative s by time. Its
+// first Bernstein coefficients are p, p + h m / 5 and p + 2 h m / 5 + h² s / 20. They increase, and
+// stay in the first half of the span's rise, if m ≥ 0 and -4 m / h ≤ s ≤ 10 d / h - 8 m / h. At the
+// end of a span the same holds with the sign of s reversed. The two spans at a key share m and s.
+// An s that satisfies both exists if m ≤ 2.5 d for both spans, and if m is at most 1.25 times the
+// slope of the parabola.
 constexpr double steepest = 2.5;
 //! Maximum slope, relative to the span's mean rate, at an end with s = 0.
 constexpr double steepest_straight = 1.25;
 
 double same_sign(double value, double as) { return std::copysign(value, as); }
 
-//! Returns the two derivatives at the end of a span (`side` 1), or at its beginning (-1), if the
-//! curve has full speed there and rests at the other end: those of the cubic t³.
+//! Returns the two derivatives by time at the end of a span (`side` 1), or at its beginning (-1),
+//! if the curve has full speed there and rests at the other end: those of the cubic t³.
 KeyMotion unslowed(const Chord& own, double side) { return {3.0 * own.rate, side * 6.0 * own.rate / own.span_s}; }
 
 KeyMotion straight_on(const Chord& other, const Chord& own) {
@@ -31,7 +31,7 @@ KeyMotion straight_on(const Chord& other, const Chord& own) {
   return {same_sign(std::min(std::abs(other.rate), steepest_straight * std::abs(own.rate)), own.rate), 0.0};
 }
 
-//! Allowed range of a second derivative.
+//! Allowed range of a second derivative by time.
 struct Limits {
   double minimum;
   double maximum;

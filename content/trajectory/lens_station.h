@@ -25,7 +25,8 @@ struct LensStation {
   std::vector<int> tree;
   std::vector<int> leaves;
   std::vector<float> nodes;
-  std::vector<float> leaf_error_px;  //!< maximum error at each leaf's check points [px]
+  //! Maximum displacement on the screen at each leaf's check points [px].
+  std::vector<float> leaf_error_px;
   //! Data for the search for star images; empty if not requested. `traced_nodes` are the nodes as
   //! traced by rays, including nodes in the middle of a larger leaf's side. `leaf_displacements`
   //! are the displacements at each leaf's check points (CheckBatch), first those along γ, then

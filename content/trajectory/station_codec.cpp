@@ -36,8 +36,8 @@ std::size_t stored_floats(const DiskStation& station) {
   return static_cast<std::size_t>(station.sets()) * 4 * stored_parts(station.pattern);
 }
 
-//! Calls `each(nodes, i)` for every set of nodes and of their derivatives, and for the index `i`,
-//! within a node, of each float that is stored.
+//! Calls `each(nodes, i)` for every set of nodes and of their derivatives along r and θ, and for
+//! the index `i`, within a node, of each float that is stored.
 template <class Station, class Each>
 void for_each_component(Station& station, const Each& each) {
   for (auto* const sets : {&station.nodes, &station.nodes_along_r, &station.nodes_along_theta}) {

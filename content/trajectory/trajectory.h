@@ -17,9 +17,9 @@ struct TrajectoryProvenance {
   std::string code_version;
   std::string show_text;  //!< the show as TOML
   Spacetime spacetime;
-  double pixel = 0.0;        //!< angle of a screen pixel [rad]
-  double budget_px = 0.0;    //!< accepted displacement on the screen
-  bool derivatives = false;  //!< stations contain derivatives along r and θ
+  double pixel = 0.0;        //!< angle that a pixel of the screen subtends [rad]
+  double budget_px = 0.0;    //!< accepted displacement of directions on the screen
+  bool derivatives = false;  //!< stations contain derivatives with respect to the camera's r and θ
   bool disk = false;         //!< stations contain layers of the show's disk
 
   bool operator==(const TrajectoryProvenance&) const = default;
@@ -28,8 +28,8 @@ struct TrajectoryProvenance {
 //! Index entry of a station.
 struct StationEntry {
   double time_s = 0.0;       //!< show time of the camera at this position
-  double r = 0.0;            //!< [M]
-  double theta = 0.0;        //!< [rad]
+  double r = 0.0;            //!< camera's Boyer-Lindquist radius [M]
+  double theta = 0.0;        //!< camera's polar angle [rad]
   std::uint64_t offset = 0;  //!< offset of the station's frame in the file
   std::uint64_t bytes = 0;   //!< size of the station's frame
   //! Error on the screen if this station and the next one are blended: the larger of the errors at

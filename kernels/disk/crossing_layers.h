@@ -91,8 +91,9 @@ ERGO_HD CrossingLayer<T> empty_layer(const T& u) {
   return {u, none, none, none, none, zero};
 }
 
-//! Reads a layer from the series at the h where the light crosses the plane. In lanes on a straight
-//! continuation, the winding has already been subtracted at the start of the continuation.
+//! Reads a layer from the series at the h where the light crosses the equatorial plane. In lanes on
+//! a straight continuation, the winding has already been subtracted at the start of the
+//! continuation.
 template <int Order, class T, NearParts Parts>
 ERGO_HD CrossingLayer<T> layer_at(const LostWinding<T>& lost, const MaskOf<RealOf<T>>& straight,
                                   const NearSeries<Order, T, Parts>& s, const T& h) {
@@ -152,7 +153,7 @@ struct LayerState {
   Mask active;
   Mask straight;
   Real side;   //!< side of the equatorial plane on which the ray is now: sign of z
-  Real count;  //!< number of crossings of the plane so far
+  Real count;  //!< number of crossings of the equatorial plane so far
   StraightRates<T> rates;
 };
 
@@ -200,8 +201,8 @@ ERGO_HD void unwind(const LostWinding<T>& lost, const MaskOf<RealOf<T>>& leaves,
   kept.delay = select(leaves, rates.delay - lost.delay * rate, kept.delay);
 }
 
-//! If a lane crosses the plane during a step, stores the crossing as the layer of its order and
-//! counts it.
+//! If a lane crosses the equatorial plane during a step, stores the crossing as the layer of its
+//! order and counts it.
 template <int Order, class T, NearParts Parts>
 ERGO_HD void meet_plane(const LostWinding<T>& lost, const NearSeries<Order, T, Parts>& s, const RealOf<T>& length,
                         LayerState<T>& state, CrossingLayer<T> (&layers)[crossing_orders]) {

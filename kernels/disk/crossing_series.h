@@ -11,7 +11,7 @@ struct EquatorialCrossing {
   //! 1 / r [1/M]; 0 if there is no crossing. Without WithDelay, crossings past infinity (u < 0) and
   //! behind the horizon are stored as well.
   T u;
-  T u_rate;        //!< du/dλ, backwards: positive for light emitted outwards
+  T u_rate;        //!< du/dλ (λ: Mino time), backwards: positive for light emitted outwards
   T x, y;          //!< (cosφ, sinφ) without frame dragging; only with WithDelay
   T drag;          //!< φ is the angle of (x, y) plus this [rad]; only with WithDelay
   T delay;         //!< coordinate time from emission to the camera [M]; only with WithDelay

@@ -15,7 +15,7 @@
 // be thin. Inverse: α = π α_e s / (π (1 - s) - α_e (1 - 2 s)).
 namespace ergodome::inline ERGO_TARGET {
 
-//! Position of a direction in the chart, with its derivatives.
+//! Position of a direction in the chart, with the same derivatives as the direction.
 template <class T>
 struct DiskPosition {
   Dual<T> gamma_turns;  //!< position angle γ [turns], in [0, 1)
@@ -53,19 +53,21 @@ ERGO_HD MixedDual<T> disk_polar_angle(const EdgeCurve& edge, const T& gamma_turn
   return half_turn * edge_alpha * up / (half_turn * (M(one) - up) - edge_alpha * (M(one) - up - up));
 }
 
-//! Position of one lane in the cells of a disk's grid, with its derivatives along the image's rows
-//! and columns.
+//! Position of one lane in the cells of a disk's grid, with its derivatives per pixel of the
+//! rendered picture: along x (to the right) and y (downwards).
 struct DiskLanePosition {
   float gamma_turns;
   float s;
   float gamma_along_x, gamma_along_y;
   float s_along_x, s_along_y;
 
-  //! Converts derivatives along γ and s to the derivative along the image's rows.
+  //! Converts derivatives along γ and s to the derivative per pixel to the right in the rendered
+  //! picture.
   [[nodiscard]] ERGO_HD float along_x(float along_gamma, float along_s) const {
     return along_gamma * gamma_along_x + along_s * s_along_x;
   }
-  //! Converts derivatives along γ and s to the derivative along the image's columns.
+  //! Converts derivatives along γ and s to the derivative per pixel downwards in the rendered
+  //! picture.
   [[nodiscard]] ERGO_HD float along_y(float along_gamma, float along_s) const {
     return along_gamma * gamma_along_y + along_s * s_along_y;
   }

@@ -57,10 +57,10 @@ ERGO_HD DiskFlow<S> converted_flow(const DiskFlow<double>& f) {
 //! Light where it leaves the disk, for a photon that the observer sees with energy 1.
 template <class S>
 struct DiskLight {
-  S r;                       //!< radius of emission [M]
-  S energy;                  //!< E at infinity
-  S axial_angular_momentum;  //!< L_z [M]
-  S shear_constant;          //!< K = Q + (L - a E)² [M²]
+  S r;                       //!< radius at which the light leaves the disk [M]
+  S energy;                  //!< E: the photon's energy at infinity
+  S axial_angular_momentum;  //!< L = L_z of the photon [M]
+  S shear_constant;          //!< K = Q + (L - a E)² of the photon [M²]; Q: its Carter constant
   bool outwards;             //!< the light leaves the disk towards larger r
 };
 

@@ -14,21 +14,22 @@ inline constexpr int layer_orders = 3;
 //! A grid as kernels read it: the cells of kernels/lens/lens_grid.h over the chart of
 //! kernels/disk/disk_chart.h, with one bicubic patch per leaf.
 //!
-//! Without a pattern, one set of nodes has (u_0, u_1, u_2, 0) and their derivatives. With a pattern
-//! there is a set for each order, of (u, cosφ, sinφ, delay), with azimuth and delay minus the
-//! winding (kernels/spacetime/kerr/horizon_winding.h).
+//! Without a pattern, one set of nodes has (u_0, u_1, u_2, 0), where u_n is 1/r at the crossing of
+//! order n, with derivatives by γ and s and the mixed one as in LensGrid. With a pattern there is a
+//! set for each order, of (u, cosφ, sinφ, delay), with azimuth and delay minus the winding
+//! (kernels/spacetime/kerr/horizon_winding.h).
 struct DiskGrid {
   LensGrid cells;  //!< the cells; the member `nodes` is not used
   const float* nodes[layer_orders];
   //! For each leaf: bit n is set if the disk's n-th image may be seen in the leaf.
   const unsigned char* orders;
-  //! Inverse of the affine distance of each order in the rain frame, (q_0, q_1, q_2, 0) and their
-  //! derivatives; nullptr if not requested.
+  //! Inverse of the affine distance of each order in the rain frame, (q_0, q_1, q_2, 0) with the
+  //! same derivatives; nullptr if not requested.
   const float* nearness;
 };
 
-//! The disk's range of 1/r, and the minimum changes per pixel by which a grid's errors are divided
-//! to convert them to displacements in pixels.
+//! The disk's range of 1/r, and the minimum changes per pixel by which a grid's errors of 1/r and
+//! of the pattern are divided to convert them to displacements in pixels.
 struct DiskSpanOnScreen {
   float outer_u;
   float inner_u;
@@ -61,7 +62,7 @@ struct DiskNodeBatch {
 struct DiskCheckBatch {
   DiskGridCamera camera;
   AberrationOf<float> observer;  //!< observer on whose screen errors are measured
-  float pixel;                   //!< angle of a pixel on that screen [rad]
+  float pixel;                   //!< angle that a pixel of that screen subtends [rad]
   DiskSpanOnScreen span;
   int count;  //!< number of checks: checks_a_cell for each cell
   const GridCell* cells;
@@ -82,7 +83,7 @@ struct DiskGridCheckBatch {
   DiskGridCamera camera;
   DiskGrid grid;
   AberrationOf<float> observer;  //!< observer on whose screen errors are measured
-  float pixel;                   //!< angle of a pixel on that screen [rad]
+  float pixel;                   //!< angle that a pixel of that screen subtends [rad]
   DiskSpanOnScreen span;
   int count;
   const float* gamma_turns;

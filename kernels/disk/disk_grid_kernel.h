@@ -7,8 +7,8 @@
 // Traces and checks the nodes of a disk's grid.
 namespace ergodome::inline ERGO_TARGET {
 
-//! Traces the nodes of a disk's grid with their derivatives. Index i covers nodes i * lanes to
-//! (i + 1) * lanes - 1.
+//! Traces the nodes of a disk's grid with their derivatives by γ and s. Index i covers nodes i *
+//! lanes to (i + 1) * lanes - 1.
 template <class T, bool WithPattern>
 struct TraceDiskNodes {
   using M = MixedDual<T>;
@@ -76,8 +76,8 @@ struct TraceDiskNodes {
            1e30F;
   }
 
-  //! Writes a number and its derivatives. If `otherwise` is not 0, writes `otherwise` with
-  //! derivatives 0 instead.
+  //! Writes a number and its derivatives by γ and s. If `otherwise` is not 0, writes `otherwise`
+  //! with derivatives 0 instead.
   ERGO_HD static void put(float* to, const M& a, int i, float otherwise) {
     const bool good = !(::fabsf(otherwise) > 0.0F);
     to[0] = good ? lane(a.value, i) : otherwise;

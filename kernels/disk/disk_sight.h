@@ -95,9 +95,9 @@ class DiskSight {
     return {span.coverage, span.r, width * span.r, lane(crossing.u_rate.value, i) > 0.0F, 0.0F, 0.0F};
   }
 
-  //! Returns whether lane `i` crosses the plane behind the horizon, while linear extrapolation puts
-  //! the part of the disk that its pixel sees at a radius where its light cannot exist. Only
-  //! happens with disks that reach inside the innermost stable orbit.
+  //! Returns whether lane `i` crosses the disk's plane behind the horizon, while linear
+  //! extrapolation puts the part of the disk that its pixel sees at a radius where its light cannot
+  //! exist. Only happens with disks that reach inside the innermost stable orbit.
   ERGO_HD bool comes_from_behind(int order, int i, const PhotonConstants& photon, const SeenCrossing& at) const {
     return appearance_.inner_r < appearance_.flow.stable_r &&
            lane(crossings_[order].u.value, i) * camera_.horizon_r > S(1) &&

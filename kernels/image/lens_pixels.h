@@ -14,9 +14,10 @@ struct LensPixels {
   float* sky_along_y[3];   //!< derivative of `sky` per pixel downwards
   float* coverage;         //!< fraction of the pixel that the sky lights
   float* frequency_ratio;  //!< g = ν_observed / ν_emitted
-  float* steps;            //!< integration steps
-  float* error_estimate;   //!< the integrator's estimate [rad]; negative: not converged
-  float* half_orbits;      //!< angle swept about the hole, in units of π: the order of the image
+  float* steps;            //!< number of integration steps of the ray
+  //! The integrator's estimate of the error of `sky` [rad]; negative: not converged.
+  float* error_estimate;
+  float* half_orbits;  //!< angle swept about the hole, in units of π: the order of the image
 };
 
 //! Returns whether footprints are wanted; kernels have a variant without.

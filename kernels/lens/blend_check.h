@@ -11,7 +11,7 @@ struct BlendCheckBatch {
   GridCamera<double> camera;  //!< camera at the lens's camera position; its chart is that of the lens
   LensBlend lens;
   Aberration observer;  //!< observer for whose screen errors are measured
-  double pixel;         //!< angle of a pixel on that screen [rad]
+  double pixel;         //!< angle that a pixel of that screen subtends [rad]
   int count;
   const double* gamma_turns;
   const double* s;

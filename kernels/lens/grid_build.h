@@ -55,7 +55,7 @@ template <class S, class Camera = CameraStationOf<S>>
 struct CheckBatch {
   GridCamera<S, Camera> camera;
   AberrationOf<S> observer;  //!< observer for whose screen errors are measured
-  S pixel;                   //!< angle of a pixel on that screen [rad]
+  S pixel;                   //!< angle that a pixel of that screen subtends [rad]
   int count;                 //!< number of checks: checks_a_cell per cell
   const GridCell* cells;
   const float* nodes;

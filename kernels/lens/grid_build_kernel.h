@@ -27,7 +27,7 @@ ERGO_HD Vector3<T> grid_sky(const GridCamera<ScalarOf<T>, Camera>& camera, const
   return trace_taylor<grid_order<T>>(rays.spin, start, bright, camera.settings, steps, reached).sky;
 }
 
-//! Displacement of a camera direction.
+//! Displacement of a camera direction that would explain an error of the sky direction.
 template <class T>
 struct Displacement {
   T length;       //!< length of the displacement as an angle [rad]

@@ -43,13 +43,13 @@ ERGO_HD void edge_lanes(const EdgeCurve& edge, const T& gamma, T& alpha, T& slop
   }
 }
 
-//! A direction in polar coordinates about the shadow's center, and the shadow's edge at its position
-//! angle, with their derivatives [rad].
+//! A direction in polar coordinates about the shadow's center, and the shadow's edge at its
+//! position angle [rad], with the same derivatives as the direction.
 template <class T>
 struct PolarPosition {
-  Dual<T> gamma;       //!< position angle
-  Dual<T> alpha;       //!< angle from the center
-  Dual<T> edge_alpha;  //!< angle of the shadow's edge from the center
+  Dual<T> gamma;       //!< γ: position angle about the center
+  Dual<T> alpha;       //!< α: angle between the direction and the center
+  Dual<T> edge_alpha;  //!< angle between the shadow's edge and the center
 };
 
 //! Returns the polar coordinates of a unit direction in the rain frame. Always inlined: its callers

@@ -96,7 +96,7 @@ ERGO_HD bool holds(const Leaf& leaf, float gamma_turns, float s) {
 }
 
 //! Computes the cubic Hermite basis at t (value at 0, slope at 0, value at 1, slope at 1) and its
-//! derivative.
+//! derivative by t.
 ERGO_HD void hermite_basis(float t, float (&basis)[4], float (&slope)[4]) {
   const float t2 = t * t;
   const float t3 = t2 * t;

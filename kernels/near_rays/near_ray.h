@@ -12,17 +12,18 @@ namespace ergodome {
 //! light whose energy at infinity is 0 or less, to cameras inside the ergosphere.
 template <class T>
 struct NearRay {
-  T energy;                  //!< E at infinity, over the energy seen
-  T axial_angular_momentum;  //!< L_z [M]
+  //! E: the photon's energy at infinity over the energy that the observer sees.
+  T energy;
+  T axial_angular_momentum;  //!< L = L_z of the photon [M]
   T polar_constant;          //!< C = Q + L² = |m'|² - a² E² m_z² [M²]
-  T carter;                  //!< Q [M²]
+  T carter;                  //!< Q, Carter's constant [M²]
   T shear_constant;          //!< K = Q + (L - a E)² >= 0 [M²]
-  T u;                       //!< 1 / r [1/M]
+  T u;                       //!< u = 1 / r [1/M]
   T u_rate;                  //!< du/dλ; u_rate² = E² + (a² E² - C) u² + 2 K u³ - a² Q u⁴
   //! Polar position, a unit vector as in RayStart: without frame dragging, φ = 0 at the camera (for
   //! omnidirectional stereo, at the head).
   Vector3<T> m;
-  Vector3<T> m_rate;  //!< dm/dλ [M]
+  Vector3<T> m_rate;  //!< dm/dλ [M]; λ: Mino time
   //! The camera is inside the horizon or near it, as in RayStart: azimuth and time of light that
   //! moves only inwards are in ingoing Kerr coordinates (near_azimuth.h).
   bool ingoing = false;
@@ -58,7 +59,7 @@ ERGO_HD NearRay<T> start_near_ray(const CameraStationOf<ScalarOf<T>>& camera, co
   const T l = ray.axial_angular_momentum;
   ray.polar_constant = polar * polar + azimuthal * azimuthal - (cosine * cosine) * a2e2;
   // Q = p_θ² + cos²θ (L² / sin²θ - a² E²), and L = sinθ times the azimuthal rate, so nothing
-  // cancels near the axis.
+  // cancels near the spin axis.
   ray.carter = polar * polar + (cosine * cosine) * (azimuthal * azimuthal - a2e2);
   const T skew = l - camera.spin * ray.energy;
   ray.shear_constant = ray.carter + skew * skew;
@@ -87,7 +88,7 @@ ERGO_HD NearRay<T> start_near_ray(const OmniCameraOf<ScalarOf<T>>& camera, const
   const S a = camera.spin;
   const T drag = (a * a) * (ray.energy * ray.energy) * (ray.m.z * ray.m.z);
   ray.polar_constant = dot(ray.m_rate, ray.m_rate) - drag;
-  // |m'|² is the square of m x m', whose component along the axis is L. Without that component
+  // |m'|² is the square of m x m', whose component along the spin axis is L. Without that component
   // nothing cancels.
   ray.carter = moment.x * moment.x + moment.y * moment.y - drag;
   const T skew = ray.axial_angular_momentum - a * ray.energy;

@@ -13,8 +13,9 @@ namespace detail {
 //! Start and target of a ray. `near_enough`: miss [rad about the hole] below which the next step is
 //! the last.
 struct RayEnds {
-  Vector3<double> from;      //!< pseudo-Cartesian [M]
-  Vector3<double> position;  //!< the target, at least as far from the hole as `from`
+  Vector3<double> from;  //!< start of the ray, pseudo-Cartesian [M]
+  //! Target of the ray, pseudo-Cartesian [M]; at least as far from the hole as `from`.
+  Vector3<double> position;
   double near_enough;
 };
 

@@ -115,9 +115,9 @@ ERGO_HD double carried_round(const RayEnds& ends) {
 }
 
 //! Finds the ray by raising the spin from 0 to the frame's in steps; the first step tries the whole
-//! spin at once. While a part of the spin is missing, the target is rotated about the axis by the
-//! angle that this part would drag light, towards +φ for a positive spin. So the target stays on
-//! its side of the points where light focuses.
+//! spin at once. While a part of the spin is missing, the target is rotated about the spin axis by
+//! the angle that this part would drag light, towards +φ for a positive spin. So the target stays
+//! on its side of the points where light focuses.
 ERGO_HD bool raise_spin(const LocalFrame& frame, const RayEnds& ends, int order, EdgePosition& at,
                         Vector3<double>& direction, Miss& miss) {
   constexpr double smallest_part = 1.0 / 16.0;

@@ -100,11 +100,12 @@ inline void dispatch_objects(const Batch& batch, const Action& action) {
 struct FlatEyeSight {
   Vector3<double> eye;  //!< position of the eye relative to the head, in the observer's frame [M]; not 0
   double max_w;         //!< nothing that is nearer to the eye than 1 / max_w is drawn [1/M]
-  //! Maximum nearness of the region around the hole, in which neighboring rays separate: all light
-  //! from there comes from farther than 1 / max_hole_w [1/M].
+  //! Maximum nearness of the region around the hole, in which rays of adjacent pixels separate: all
+  //! light from there comes from farther than 1 / max_hole_w [1/M].
   double max_hole_w;
-  double pixel;         //!< angle of a pixel of the picture [rad]
-  double tolerance_px;  //!< maximum error of the positions of neighbors that a ray predicts
+  double pixel;  //!< angle that a pixel of the picture subtends [rad]
+  //! Maximum error, in pixels, of the positions that one ray predicts for the rays beside it.
+  double tolerance_px;
   FlatHorizon horizon;
 };
 
@@ -116,7 +117,7 @@ inline constexpr double max_way_of_slices = 4.0;
 
 //! The part of an eye's lines of sight on which objects may be.
 struct FlatReach {
-  float min_w;  //!< minimum nearness [1/M]
+  float min_w;  //!< minimum nearness to the eye at which objects may be [1/M]
   float max_w;
   float width;  //!< maximum width of a pixel at these objects, divided by their r
 };

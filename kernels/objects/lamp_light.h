@@ -43,8 +43,8 @@ ERGO_HD double energy_at_rest(Spacetime spacetime, const Vector3<double>& positi
 //! measure, and `spread` is that of LightRay. Without shift only the number of photons counts:
 //! strength / (e_L² · spread). With falloff `published`: strength / travel_time².
 ERGO_HD double strength_of(const LampSource& lamp, const LocalFrame& frame, const LightRay& ray) {
-  // Behind the hole, next to the axis, only the size of a lamp would keep its light finite, but
-  // this lamp is a point. So the brightening is limited, as for stars.
+  // Next to the line from the lamp through the hole, behind the hole, only the size of a lamp would
+  // keep its light finite, but this lamp is a point. So the brightening is limited, as for stars.
   constexpr double brightest = 1000.0;
   const double time = ::fmax(ray.travel_time, 1e-3);
   const double square = time * time;
@@ -99,9 +99,9 @@ ERGO_HD double illuminance(const LampLight& light, const Vector3<double>& normal
 
 //! A lit point of a surface.
 struct LitSurfacePoint {
-  Vector3<double> point;     //!< pseudo-Cartesian [M]
-  Vector3<double> normal;    //!< outward normal of unit length
-  Vector3<double> velocity;  //!< velocity dx/dt, pseudo-Cartesian
+  Vector3<double> point;     //!< the lit point, pseudo-Cartesian [M]
+  Vector3<double> normal;    //!< outward unit normal of the surface there
+  Vector3<double> velocity;  //!< velocity dx/dt of the surface there, pseudo-Cartesian
   Vector3<double> start;     //!< point slightly off the surface, so that the surface does not shadow itself
 };
 

@@ -13,8 +13,8 @@ enum class LampFalloff {
 
 //! A point light at rest.
 struct LampSource {
-  Vector3<double> position;  //!< pseudo-Cartesian [M]
-  double strength;           //!< 0: no lamp
+  Vector3<double> position;  //!< the light's position, pseudo-Cartesian [M]
+  double strength;           //!< as PointLight::strength; 0: no lamp
   LampFalloff falloff = LampFalloff::lens;
   //! With falloff `lens`: light is shifted and beamed between the lamp and the moving surface.
   bool shifted = false;

@@ -12,7 +12,8 @@ struct ObjectLayer {
   //! fraction; nullptr: no objects.
   const float* rgba = nullptr;
   //! One per pixel: Mino time from the object to the camera, for a photon seen with energy 1 [1/M].
-  //! For an eye of the stereo model `flat`: minus the nearness (1/distance).
+  //! For an eye of the stereo model `flat`: minus the nearness, 1 / (distance from the eye in the
+  //! head's flat space).
   const float* time = nullptr;
 };
 

@@ -11,7 +11,7 @@ struct LightRay {
   //! Unit vector towards the light's origin, in the frame of the zero-angular-momentum observer
   //! (e_r, e_θ, e_φ).
   Vector3<double> direction;
-  double travel_time;  //!< [M]
+  double travel_time;  //!< coordinate time from the lamp to the point [M]
   //! Spread of a narrow bundle of rays that converge at one end of the ray [M²]. It is the
   //! cross-section of the bundle at the other end, divided by the bundle's solid angle at the end
   //! where it converges, and by the square of the energy that an observer there measures of a

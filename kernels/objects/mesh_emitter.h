@@ -19,7 +19,7 @@ ERGO_HD double emitted_frequency(Spacetime spacetime, const MeshHit& hit, double
   const Vector3<double> n = (1.0 / r) * hit.point;
   const double radial = dot(n, velocity);
   const Vector3<double> turn = (1.0 / r) * (velocity - radial * n);
-  // sin²θ dφ/dt, which is regular on the axis, as is everything below.
+  // sin²θ dφ/dt, which is regular on the spin axis, as is everything below.
   const double axial = n.x * turn.y - n.y * turn.x;
   const double sine2 = n.x * n.x + n.y * n.y;
   const double horizon_r = kerr_horizon_radius(spin);

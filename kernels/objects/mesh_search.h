@@ -17,8 +17,11 @@ struct MeshHit {
   double delay = 0.0;
   //! Mino time from the hit to the camera, for a photon seen with energy 1 [1/M].
   double time = 0.0;
-  double u_rate = 0.0;             //!< du/dλ at the hit, backwards
-  Vector3<double> polar_momentum;  //!< dm/dλ at the hit, backwards, pseudo-Cartesian [M]
+  //! Rate du/dλ of the ray at the hit, backwards; u = 1/r, λ: Mino time.
+  double u_rate = 0.0;
+  //! Rate dm/dλ of the ray at the hit, backwards, pseudo-Cartesian [M]; m: unit vector from the
+  //! hole.
+  Vector3<double> polar_momentum;
 };
 
 inline namespace ERGO_TARGET {

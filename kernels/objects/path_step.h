@@ -30,7 +30,7 @@ struct PathStep {
   Vector3<double> axes[2];  //!< directions of m's x and y, before frame dragging
   double min_u;             //!< no objects are farther out: positions are clamped to this 1/r
   double length;            //!< length of the step, in h
-  double scale;             //!< h over Mino time
+  double scale;             //!< time h of the series over Mino time
   //! Mino time at h = 0, from the camera, for a photon seen with energy 1 [1/M].
   double start;
   double delay_at_camera;  //!< coordinate time that is added to all delays [M]

@@ -116,8 +116,9 @@ ERGO_HD RayStart<T> in_unit_of_energy(const NearRay<T>& ray) {
 }
 
 //! Cuts a pixel along the shadow's edge, which is found from the darkness of the ray in its middle
-//! and the derivatives of that (kernels/spacetime/geodesic/radial_potential.h). If these do not
-//! locate the edge, cuts the pixel evenly from left to right.
+//! and the derivatives of that along the picture's x and y
+//! (kernels/spacetime/geodesic/radial_potential.h). If these do not locate the edge, cuts the pixel
+//! evenly from left to right.
 ERGO_HD PixelSlices slice_pixel(const CameraStation& camera, const NearRay<Dual<double>>& ray) {
   constexpr double far_away_px = 1e3;
   const PixelSlices even(1.0, 0.0, -far_away_px);
@@ -133,7 +134,8 @@ ERGO_HD PixelSlices slice_pixel(const CameraStation& camera, const NearRay<Dual<
              : even;
 }
 
-//! Returns the observer's direction through the center of a pixel of a batch, with its derivatives.
+//! Returns the observer's direction through the center of a pixel of a batch, with its derivatives
+//! per pixel along the picture's x and y.
 ERGO_HD Vector3<Dual<double>> middle_of_pixel(const ObjectPixelBatch& batch, int at) {
   const std::int32_t* const pixel = batch.pixels + 2 * static_cast<long>(at);
   return observed_footprint(batch.objects, pixel[0] + 0.5, pixel[1] + 0.5);

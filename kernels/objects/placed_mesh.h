@@ -17,10 +17,10 @@ struct MeshOrbit {
 //! cosφ, y = r sinθ sinφ, z = r cosθ [M].
 struct PlacedMesh {
   TriangleTree tree;
-  Vector3<double> position;  //!< position at the camera's time
+  Vector3<double> position;  //!< position of the mesh's origin at the camera's time [M]
   double rows[3][3];         //!< rotation from the mesh's axes to space
   double size;               //!< M per unit of the mesh
-  MeshOrbit orbit = {};      //!< motion of the mesh
+  MeshOrbit orbit = {};      //!< circular motion of the mesh; at rest if its rate is 0
   //! Whether the mesh is seen at the position that it had when the light left it, not at its
   //! present position.
   bool retarded = false;

@@ -16,10 +16,11 @@ inline constexpr int lamp_steps = 2000;
 
 //! Where a ray passes a radius on its way out.
 struct Arrival {
-  Vector3<Dual<double>> outward;   //!< the position divided by its radius, pseudo-Cartesian
-  double u_rate;                   //!< du/dλ along its path
-  Vector3<double> polar_momentum;  //!< dm/dλ [M]
-  double delay;                    //!< coordinate time from the start [M]
+  //! Position where it arrives, divided by its radius; pseudo-Cartesian.
+  Vector3<Dual<double>> outward;
+  double u_rate;                   //!< du/dλ of the ray there; u = 1/r, λ: Mino time
+  Vector3<double> polar_momentum;  //!< dm/dλ of the ray there [M]; m: unit vector from the hole
+  double delay;                    //!< coordinate time from the ray's start to there [M]
 };
 
 //! Follows a ray until it passes outwards through the radius r, which must be at least that of the
@@ -66,9 +67,9 @@ ERGO_HD void axes_across(const Vector3<double>& n, Vector3<double>& first, Vecto
 
 //! A point that rays are aimed at.
 struct RayTarget {
-  double r;                 //!< [M]
+  double r;                 //!< the point's radius coordinate [M]
   Vector3<double> outward;  //!< unit vector from the hole to the point
-  Vector3<double> axes[2];  //!< perpendicular to `outward`
+  Vector3<double> axes[2];  //!< unit vectors perpendicular to `outward` and to each other
   //! Miss [rad about the hole] below which the next step is the last: it leaves a negligible error.
   double near_enough;
 };

@@ -69,13 +69,15 @@ ERGO_HD double max_r_of_tiles(const ObjectScene& objects, const Vector3<Dual<T>>
   return r + footprint_slack * beside * (1.0 / objects.camera.u + r);
 }
 
-//! A pixel's footprint on the path of the ray in its middle [M]: distances of its neighbors at the
-//! same time.
+//! A pixel's footprint on the path of the ray in its middle [M]: distances of the rays of the
+//! adjacent pixels at the same time.
 struct PixelOnPath {
-  double width;              //!< distances of the neighbors in x and in y of the picture, added
-  double across, along;      //!< components of `width` across the path and along it
-  double widest, narrowest;  //!< maximum and minimum distance of a neighbor, across the path
-  Vector3<double> narrow;    //!< direction of `narrowest`
+  //! Distances of the rays of the next pixels in x and in y of the picture, added.
+  double width;
+  double across, along;  //!< components of `width` across the path and along it
+  //! Maximum and minimum distance of the ray of a next pixel, across the path.
+  double widest, narrowest;
+  Vector3<double> narrow;  //!< unit vector in which `narrowest` is measured
 };
 
 //! Minimum ratio of `widest` to `narrowest` of stretched images. Images are stretched about a hole,

@@ -22,11 +22,15 @@ struct OverlaySurface {
   OverlayShape shape;
   Vector3<float> across;  //!< direction to the overlay's right, at its middle
   Vector3<float> up;      //!< bent: the pole of its latitudes; flat: upwards; fisheye: the zenith
-  Vector3<float> ahead;   //!< bent: azimuth 0 on the equator; flat: its middle; fisheye: the front
+  //! Direction to azimuth 0 on the equator of its latitudes (bent), to its middle (flat), or to the
+  //! horizon at the dome's front (fisheye).
+  Vector3<float> ahead;
   //! Bent: cosine of the middle's latitude; fisheye: half the field of view [rad].
   float scale;
   float middle;  //!< bent: Mercator's latitude of the middle
-  float width;   //!< bent: [rad]; flat: on the plane at distance 1
+  //! Bent: the range of azimuths that it covers, times `scale` [rad]; flat: its width on the plane
+  //! at distance 1.
+  float width;
   float height;
   Vector3<float> bound_axis;  //!< axis of a cone that contains the whole overlay
   float bound_cosine;         //!< cosine of the cone's half angle

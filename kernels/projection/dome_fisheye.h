@@ -15,7 +15,8 @@ struct DomeFisheye {
   FisheyeLens<S> lens;
   S tilt_sine;  //!< sine of the tilt of the dome's top to the front
   S tilt_cosine;
-  Vector3<S> viewer;        //!< position inside the dome from which the dome is seen
+  //! Position of the viewer's eye relative to the dome's center, in dome radii.
+  Vector3<S> viewer;
   std::int32_t off_centre;  //!< 1 if `viewer` is not the center
   std::int32_t truncated;   //!< 1 if parts of the square are cut off by `lowest` or `highest`
   S lowest;                 //!< image y (-1 to 1, upwards) below which the image is black

@@ -18,7 +18,7 @@ enum class LensLaw : std::int32_t { equidistant, equisolid, stereographic, ortho
 template <class S>
 struct FisheyeLens {
   LensLaw law;
-  S half_angle;      //!< angle at the rim [rad]
+  S half_angle;      //!< h: angle between the lens axis and the rim of the image [rad]
   S rim;             //!< image radius of the rim [half widths]
   S scale;           //!< sin h, sin(h/2) or tan(h/2), depending on the law
   S coefficient[4];  //!< polynomial law: coefficients of t, t³, t⁵, t⁷
@@ -117,8 +117,8 @@ ERGO_HD void look_through_lens(const FisheyeLens<ScalarOf<T>>& lens, const T& x,
 }
 
 //! Computes the image radius of a ray from the cosine and the non-negative sine of its angle from
-//! the axis: the inverse of look_through_lens(). Returns false where the law has no image: beyond
-//! π/2 for the orthographic law, at π for the stereographic one.
+//! the lens axis: the inverse of look_through_lens(). Returns false where the law has no image:
+//! beyond π/2 for the orthographic law, at π for the stereographic one.
 ERGO_HD bool lens_radius(const FisheyeLens<double>& lens, double cosine, double sine, double& radius) {
   switch (lens.law) {
     case LensLaw::equisolid:
@@ -144,9 +144,9 @@ ERGO_HD bool lens_radius(const FisheyeLens<double>& lens, double cosine, double 
   return true;
 }
 
-//! Returns the largest angle from the axis that a law can have at the rim [rad]. For a polynomial,
-//! that is the angle up to which its slope stays above a hundredth of the slope at the axis; 0 if
-//! the slope at the axis is not positive.
+//! Returns the largest angle from the lens axis that a law can have at the rim [rad]. For a
+//! polynomial, that is the angle up to which its slope stays above a hundredth of the slope at the
+//! axis; 0 if the slope at the axis is not positive.
 ERGO_HD double largest_half_angle(LensLaw law, const double (&coefficient)[4]) {
   constexpr int samples = 4096;
   switch (law) {

@@ -11,8 +11,8 @@ template <class S>
 struct Pinhole {
   S half_width;   //!< half the width on a screen at distance 1
   S half_height;  //!< half the height on that screen
-  S middle_x;     //!< center of the image on that screen, to the right of the axis
-  S middle_y;     //!< center of the image on that screen, upwards from the axis
+  S middle_x;     //!< center of the image on that screen, to the right of the view axis
+  S middle_y;     //!< center of the image on that screen, upwards from the view axis
 };
 
 inline namespace ERGO_TARGET {
@@ -29,7 +29,7 @@ ERGO_HD Vector3<T> direction_from_pinhole(const Pinhole<ScalarOf<T>>& pinhole, c
 }
 
 //! Computes the image position of a view direction: the inverse of direction_from_pinhole(), also
-//! for positions outside the image. Returns false for directions at 90° or more from the axis.
+//! for positions outside the image. Returns false for directions at 90° or more from the view axis.
 ERGO_HD bool pinhole_from_direction(const Pinhole<double>& pinhole, const Vector3<double>& view, double& x, double& y) {
   if (!(view.z < 0.0)) {
     return false;

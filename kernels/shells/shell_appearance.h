@@ -8,8 +8,8 @@ namespace ergodome {
 //! How a shell looks.
 struct ShellAppearance {
   float r;           //!< radius of the shell [M]
-  float spacing;     //!< spacing of the grid lines [rad]
-  float line_width;  //!< width of the grid lines [rad]
+  float spacing;     //!< spacing of the grid lines, as an angle at the shell's center [rad]
+  float line_width;  //!< width of the grid lines, as an angle at the shell's center [rad]
   float line_opacity;
   float fill_opacity;
   bool textured;

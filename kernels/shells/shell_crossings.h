@@ -18,7 +18,7 @@ struct ShellRadii {
 template <class T>
 struct NearPosition {
   T u;           //!< 1 / r [1/M]
-  T u_rate;      //!< du/dλ, backwards: positive for light emitted outwards
+  T u_rate;      //!< du/dλ (λ: Mino time), backwards: positive for light emitted outwards
   Vector3<T> m;  //!< direction from the hole's center without frame dragging, a unit vector
   //! Angle by which m must be rotated about the spin axis to point to the position, with φ = 0 at
   //! the camera or the head [rad].

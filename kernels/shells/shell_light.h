@@ -36,8 +36,8 @@ ERGO_HD float line_coverage(float x, float spacing, float width, float stretch) 
 //! A position on a shell as one pixel sees it.
 struct ShellFootprint {
   Vector3<float> direction;  //!< unit vector from the shell's center
-  Vector3<float> along_x;    //!< derivatives of `direction` per pixel
-  Vector3<float> along_y;
+  Vector3<float> along_x;    //!< derivative of `direction` per pixel to the right
+  Vector3<float> along_y;    //!< derivative of `direction` per pixel downwards
 };
 
 //! Returns the width of a footprint [rad].

@@ -75,8 +75,8 @@ ERGO_HD Ellipse<T> ellipse_of(const Vector3<T>& a, const Vector3<T>& b) {
 template <class T>
 struct ProbeLine {
   T count;
-  T spacing;  //!< angle between neighboring probes [rad]
-  T level;    //!< level of the mip pyramid
+  T spacing;  //!< angle on the sky between neighboring probes [rad]
+  T level;    //!< level of the mip pyramid that the probes read
 };
 
 //! Computes the probes of an ellipse. A mip level that is read bilinearly is approximately a round

@@ -41,11 +41,11 @@ struct StarTileBatch {
 //! Adds the light of points to rows of a picture. Each pixel is computed on its own, so the result
 //! does not depend on the number of threads. Arrays lie in the backend's memory.
 struct StarLightBatch {
-  float* rgba;                     //!< the rows, four floats per pixel
+  float* rgba;                     //!< the rows of the picture, four floats per pixel
   ProjectionOf<float> projection;  //!< projection of the whole picture
   int first_row;
   int row_count;
-  PixelCell cells[cube_faces];  //!< part of the picture that each region covers
+  PixelCell cells[cube_faces];  //!< the part of the picture that each star region covers
   const StarPoint* points;
   int point_count;
   //! Index in `members` of each tile's first point, as in StarTileBatch.

@@ -24,16 +24,17 @@ struct StarImage {
 //! An image, with properties by which other images of the same star can be told from it.
 struct SeenImage {
   StarImage image;
-  float arc;    //!< length of the arc, due to the size of the star's disk [rad]
+  //! Length on the camera's sky of the arc to which the star's disk is stretched [rad].
+  float arc;
   bool capped;  //!< the star's disk limits the magnification: the image's parity means nothing
 };
 
-//! Maximum length of an arc [rad].
+//! Maximum length of SeenImage::arc [rad].
 inline constexpr float longest_arc = 1.5F;
 
 //! Settings for the brightness of star images.
 struct StarAppearance {
-  float faintest;  //!< images of lower illuminance are left out [lx]
+  float faintest;  //!< star images of lower illuminance at the camera are omitted [lx]
   bool redshift;   //!< light is shifted in frequency and beamed
   //! Images are as bright as the lens makes them; otherwise as bright as the star.
   bool magnification;

@@ -28,23 +28,25 @@ struct StarImageBatch {
   Camera camera;  //!< camera at φ = 0; the stars' directions refer to this azimuth
   StarChartOf<S> chart;
   IntegrationSettings settings;
-  S tolerance;  //!< maximum distance of images from their exact positions [rad]
+  S tolerance;  //!< maximum angle on the camera's sky between an image and its exact position [rad]
   int rounds;   //!< maximum number of Newton steps
   int count;
-  const S* star[3];  //!< unit vectors to the stars on the sky
+  const S* star[3];  //!< unit vectors to the stars on the sky, for a camera at φ = 0
   //! Approximate angle from the shadow's edge to the image [rad], the scale on which the map to the
   //! sky changes.
   const S* edge_distance;
   //! Radii of the stars' disks [rad]; next to a caustic any point within a disk is as good as its
   //! center.
   const S* radius;
-  S* direction[3];  //!< unit vectors; in: approximate, out: refined
+  //! Unit vectors to the images on the camera's sky; in: approximate, out: refined.
+  S* direction[3];
   //! The sky's solid angle over the camera's, signed by parity; the magnification is its inverse.
   S* solid_angle;
   //! Sum of the squares of both singular values of the map from the camera's sky to the stars'.
   S* stretch;
   S* frequency_ratio;  //!< g = ν_observed / ν_emitted
-  //! Estimated distance of the image from its exact position [rad]; huge if no light arrives.
+  //! Estimated angle on the camera's sky between the image and its exact position [rad]; huge if no
+  //! light arrives.
   S* miss;
   //! Estimated relative error of its magnification; 0 if the last step was within `tolerance`, or
   //! if no light arrives.

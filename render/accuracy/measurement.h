@@ -84,7 +84,7 @@ struct AccuracyReport {
   std::string date;  //!< time of the measurement, UTC
   int width_px = 0;
   int height_px = 0;
-  double pixel_arcmin = 0.0;    //!< angle of the pixel that is the unit of errors
+  double pixel_arcmin = 0.0;    //!< angle that the pixel which is the unit of errors subtends
   std::vector<double> times_s;  //!< show times of the measured moments
   int samples = 0;              //!< pixels compared at each moment
   int rounds = 0;

@@ -17,7 +17,7 @@ struct AccuracySettings {
   int size_px = 0;    //!< width of the pictures; 0: the show's, but at most `max_px`
   int max_px = 1024;  //!< maximum width if `size_px` is 0
   int moments = 3;    //!< number of instants of the show to measure; one if nothing moves
-  int rounds = 5;     //!< timed runs of each method; methods take turns
+  int rounds = 5;     //!< number of timed runs of each method; methods take turns
   int lattice = 200;  //!< number of columns of the lattice; one pixel of each cell is compared
   //! Measures fewer settings, draws slow frames less often, and omits slow axes. quick_settings()
   //! also reduces the numbers of moments, rounds and compared pixels, and the pictures' width.
@@ -37,7 +37,7 @@ struct AccuracyMoment {
   //! The same eye one frame later; if the camera stands still, turned to the right by half a pixel.
   EyeCamera next{};
   Projection projection{};
-  double pixel = 0.0;  //!< angle of the pixel that is the unit of errors [rad]
+  double pixel = 0.0;  //!< angle that the pixel which is the unit of errors subtends [rad]
 };
 
 //! The center of a pixel in a picture, in the coordinates of direction_from_pixel.

@@ -101,8 +101,8 @@ class Baker {
   }
 
   //! Returns the LensChart::range of all stations: the maximum of chart_range() at 65 show times.
-  //! All stations have the same range, because a station's derivatives are computed for a fixed
-  //! range.
+  //! All stations have the same range, because a station's derivatives along r and θ are computed
+  //! for a fixed range.
   [[nodiscard]] double common_range() const {
     constexpr int samples = 64;
     double range = 0.0;
@@ -187,7 +187,7 @@ class Baker {
 
   //! Returns the number of parts into which a stretch should be divided, from 2 to `max_parts`.
   //! Blending errors grow with the square of the distance between stations; if stations have
-  //! derivatives, with its fourth power.
+  //! derivatives along r and θ, with its fourth power.
   [[nodiscard]] int wished_parts(double error_px) const {
     const double wished = std::ceil(std::pow(error_px / settings_.budget_px, settings_.derivatives ? 0.25 : 0.5));
     return static_cast<int>(std::clamp(wished, 2.0, 1.0 * max_parts));

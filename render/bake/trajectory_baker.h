@@ -13,10 +13,10 @@ class TrajectoryJournal;
 
 //! Settings of a bake.
 struct BakeSettings {
-  double pixel = 0.0;  //!< angle of a pixel on the screen [rad]
+  double pixel = 0.0;  //!< angle that a pixel of the screen subtends [rad]
   double share = 1.0;  //!< fraction of all directions that the screen shows (sky_share())
-  //! Maximum displacement on the screen [px], for all but a hundredth of the screen in any
-  //! orientation of the camera.
+  //! Maximum displacement of directions on the screen by interpolation [px], for all but a
+  //! hundredth of the screen in any orientation of the camera.
   double budget_px = 0.25;
   //! True: stations are baked with their derivatives along r and θ. Fewer stations then suffice,
   //! and they can be used for both eyes of a stereo pair.
@@ -33,8 +33,8 @@ struct BakeResult {
   //! Number of gaps between stations whose error exceeds the budget because they are not divided
   //! further (short, or without improvement).
   int unmet = 0;
-  double worst_px = 0.0;      //!< largest error of a gap
-  double worst_time_s = 0.0;  //!< show time in the middle of the gap with the largest error
+  double worst_px = 0.0;      //!< largest blending error in any gap between two stations
+  double worst_time_s = 0.0;  //!< show time in the middle of that gap
   //! Duration of the show in which blending the disk layers exceeds the budget, so that players
   //! compute the layers live [s].
   double live_disk_s = 0.0;

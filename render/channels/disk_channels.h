@@ -12,7 +12,7 @@ namespace ergodome {
 
 //! A point where a ray meets the disk.
 struct DiskCrossing {
-  double r;                //!< [M]
+  double r;                //!< Boyer-Lindquist radius of the point [M]
   double azimuth_deg;      //!< Boyer-Lindquist φ, in [0, 360)
   double frequency_ratio;  //!< ν_observed / ν_emitted for the disk's matter
   double delay;            //!< coordinate time of the light from the crossing to the camera [M]

@@ -213,9 +213,9 @@ class ChannelTracer {
   }
 
   //! Returns the angle that the ray sweeps around the hole, in half turns: |m'| times the Mino
-  //! time, over π. m is the unit vector from the hole to the ray's position, and m' its derivative,
-  //! whose length is computed with the mean of m_z² at both ends. Exact for a hole without spin.
-  //! kernels/spacetime/trace/trace_pixels_kernel.h uses the same formula.
+  //! time, over π. m is the unit vector from the hole to the ray's position, and m' its derivative
+  //! by Mino time, whose length is computed with the mean of m_z² at both ends. Exact for a hole
+  //! without spin. kernels/spacetime/trace/trace_pixels_kernel.h uses the same formula.
   [[nodiscard]] double swept_half_turns(const RayBlock& rays, std::size_t i) const {
     const RayStart<double> start = start_ray(camera_, rays.direction(i));
     const double square = 0.5 * (start.m.z * start.m.z + rays.sky[2][i] * rays.sky[2][i]);
@@ -224,7 +224,8 @@ class ChannelTracer {
   }
 
   //! Returns the solid angle of a pixel in the view over that on the sky, from exact derivatives of
-  //! the lens; negative where the image is mirrored, nothing if the ray does not converge.
+  //! the sky direction per pixel; negative where the image is mirrored, nothing if the ray does not
+  //! converge.
   [[nodiscard]] std::optional<double> magnification(std::size_t pixel) const {
     const auto [x, y] = middle_of(pixel);
     const Vector3<Derived> view = direction_from_pixel(scene_.projection, Derived(x, 1.0, 0.0), Derived(y, 0.0, 1.0));

@@ -37,8 +37,8 @@ constexpr double view_share = 0.14;
 //! Maximum number of mesh corners among which the starting points of rays are selected.
 constexpr std::size_t max_candidates = 4096;
 constexpr int coarse_width_px = 192;
-//! Maximum number of triangles of all objects together. Each image adds as many triangles again, or
-//! more if they are divided.
+//! Maximum number of triangles of all objects together. For each image order that is drawn, the
+//! apparent mesh adds as many triangles again, or more if they are divided.
 constexpr long max_diagram_triangles = 2'000'000;
 
 double far_from_hole(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }

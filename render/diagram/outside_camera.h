@@ -21,11 +21,12 @@ struct OutsideDirection {
 
 //! A camera with a flat screen in flat space.
 struct OutsideCamera {
-  Vector3<double> position;         //!< position of the camera [M]
-  Vector3<double> right, up, back;  //!< unit vectors
+  Vector3<double> position;         //!< position of the camera relative to the hole [M]
+  Vector3<double> right, up, back;  //!< unit vectors of the camera's axes
   double half_width;                //!< half width of the screen at distance 1
-  double half_height;
-  double nearest, farthest;  //!< clipping distances in front of the camera, with a margin [M]
+  double half_height;               //!< half height of that screen
+  //! Clipping distances in front of the camera, with a margin [M].
+  double nearest, farthest;
 
   //! Returns the position of `p` relative to the camera, in components along right, up and back
   //! [M].

@@ -9,8 +9,8 @@ namespace ergodome {
 
 //! Position and axes of an eye, derived from the head's.
 struct EyeEvent {
-  double r;      //!< [M]
-  double theta;  //!< [rad]
+  double r;      //!< Boyer-Lindquist radius [M]
+  double theta;  //!< polar angle [rad]
   //! Azimuth [rad]; inside the horizon, of ingoing Kerr coordinates, like the head's.
   double phi;
   //! Rotation whose columns are the view's x (right), y (up), z (back) in (e_r, e_θ, e_φ) at the

@@ -62,7 +62,8 @@ class EyeRenderer::Making {
     }
   }
 
-  //! Draws the passes over rows of the sky. On a GPU, then copies the rows to the picture.
+  //! Draws the passes over picture rows that hold the sky. On a GPU, then copies these rows to the
+  //! picture.
   void draw_over(const RowBlock& rows) {
     float* const memory = memory_of(rows);
     for (const std::unique_ptr<PassDrawing>& drawing : drawings_) {

@@ -87,8 +87,8 @@ class ShowRenderer {
   std::vector<FrameImage> render(double time_s, const ViewChoice& choice);
 
   //! Renders a window's picture for a head at a pose: one eye, or both in the stereo layout (side
-  //! by side if the layout keeps them apart). `moment` contains the show time if the camera is on
-  //! the show's path. Automatic exposure adapts over wall-clock time.
+  //! by side if the layout stores them separately). `moment` contains the show time if the camera
+  //! is on the show's path. Automatic exposure adapts over wall-clock time.
   Picture render_window(const CameraPose& pose, const Projection& projection, ViewMode mode,
                         const ShowMoment& moment = {});
 

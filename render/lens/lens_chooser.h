@@ -19,10 +19,10 @@
 
 namespace ergodome {
 
-//! Accuracy of a lens: maximum displacement on the screen.
+//! Accuracy of a lens: maximum displacement of directions on the screen [px].
 struct LensAccuracy {
-  double budget_px = 0.25;     //!< maximum error of lenses that are interpolated in a grid
-  double tolerance_px = 0.05;  //!< maximum error of lenses that are traced
+  double budget_px = 0.25;     //!< maximum displacement in lenses that are interpolated in a grid
+  double tolerance_px = 0.05;  //!< maximum displacement in lenses that are traced
 };
 
 //! Show time of a frame, for lenses that may be streamed from baked stations.
@@ -51,12 +51,12 @@ inline bool is_beside(const EyeCamera& eye) {
   return std::abs(eye.r - eye.head_r) > 1e-12 * eye.head_r || std::abs(eye.theta - eye.head_theta) > 1e-12;
 }
 
-//! Returns whether baked stations are accurate to `error` [rad].
+//! Returns whether baked stations are accurate to `error`, an angle on the screen [rad].
 bool holds_budget(const TrajectoryProvenance& baked, double error);
 
 //! Returns whether baked stations may be used for an eye's frames: if `choice` is `streamed`, or if
 //! it is `automatic` and they are accurate to `error` [rad]. An eye beside the path also requires
-//! that they have derivatives.
+//! that they have derivatives along the camera's r and θ.
 bool may_stream(const TrajectoryProvenance& baked, LensChoice choice, const EyeCamera& eye, double error);
 
 //! Returns the accepted blending error [px] where the bake did not measure it: for an eye beside
@@ -95,8 +95,9 @@ class LensChooser {
   //!
   //! The stream is not used between two stations whose blend exceeds the budget. Two cases are only
   //! possible on the CPU, as long as traced rays confirm the accuracy: an eye beside the path, for
-  //! which the stations need derivatives, and a blend of stations that are not neighbors, because
-  //! those between them could not be read. Other frames are drawn as without a stream.
+  //! which the stations need derivatives along the camera's r and θ, and a blend of stations that
+  //! are not neighbors, because those between them could not be read. Other frames are drawn as
+  //! without a stream.
   std::unique_ptr<LensSource> choose(const LensRequest& request);
 
   //! Returns the number of grids built so far.
@@ -108,7 +109,7 @@ class LensChooser {
     Spacetime spacetime;
     double r;
     double theta;
-    double error;  //!< error budget [rad]
+    double error;  //!< budget of displacements on the screen for which the grid was built [rad]
     ObserverMotion motion;
     Vector3<double> velocity;
     double traced_px;  //!< area of the leaves that are left to rays, in the whole sky [px²]

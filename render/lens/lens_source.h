@@ -52,7 +52,8 @@ class LensSource {
 //! dome_frame/live_grid in tests/bench.
 inline constexpr double min_grid_pixels = 150'000.0;
 
-//! Smallest error budget [rad] for which float rays are accurate enough to build a grid.
+//! Smallest budget of displacements on the screen [rad] for which float rays are accurate enough to
+//! build a grid.
 inline constexpr double finest_float_budget = 2e-5;
 
 //! Returns whether building a grid is cheaper than one ray per pixel. On a GPU it never is.

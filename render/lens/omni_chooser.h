@@ -9,7 +9,7 @@
 namespace ergodome {
 
 //! Creates the lenses of ODS eyes. Caches the last two grids, which frames of a camera that stands
-//! still or circles the axis use again.
+//! still or circles the spin axis use again.
 class OmniChooser {
  public:
   explicit OmniChooser(Backend backend) : backend_(backend) {}
@@ -25,7 +25,7 @@ class OmniChooser {
  private:
   struct Grid {
     std::shared_ptr<const OmniEye> eye;
-    double error;      //!< error budget for which the grid was built [rad]
+    double error;      //!< budget of displacements on the screen for which the grid was built [rad]
     double traced_px;  //!< area of the screen whose pixels are left to traced rays [px²]
     std::shared_ptr<const StationBuffers> station;
   };

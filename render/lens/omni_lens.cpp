@@ -11,8 +11,8 @@ namespace ergodome {
 
 namespace {
 
-//! Returns whether two numbers are equal up to the rounding errors of a head that circles the axis,
-//! which do not change frames.
+//! Returns whether two numbers are equal up to the rounding errors of a head that circles the spin
+//! axis, which do not change frames.
 bool omni_numbers_alike(double a, double b) { return std::abs(a - b) <= 1e-10 * (1.0 + std::abs(a)); }
 
 //! Returns the head's camera with the identity as frame_from_view, because ODS cameras compute in

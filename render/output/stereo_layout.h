@@ -37,11 +37,12 @@ struct ImageSize {
 
 //! Returns the size of the image that a layout combines from two eyes' pictures of size `eye`. It
 //! is `eye` itself for one picture in place of both (mono, rows, anaglyphs), and for layouts that
-//! keep the eyes apart. Halves are rounded up.
+//! store the eyes separately (keeps_eyes_apart()). Halves are rounded up.
 ImageSize layout_size(StereoLayout layout, ImageSize eye);
 
-//! Returns the size of a layout's picture in a window. Eyes that are kept apart are put side by
-//! side; eyes that fill the window have the size of one eye's picture.
+//! Returns the size of a layout's picture in a window. Eyes that the layout stores separately
+//! (keeps_eyes_apart()) are put side by side. If each eye fills the window (fills_window_by_eye()),
+//! the size is that of one eye's picture.
 ImageSize window_picture_size(StereoLayout layout, ImageSize eye);
 
 //! Arrangement of the eyes in a window's picture: one part for both, or two parts side by side or

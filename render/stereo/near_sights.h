@@ -13,7 +13,7 @@ namespace ergodome {
 
 //! A point that a head sees in some direction: one that the light passes on its way to the head.
 struct NearSight {
-  Vector3<double> position;  //!< pseudo-Cartesian [M]
+  Vector3<double> position;  //!< position of the point, pseudo-Cartesian [M]
   double distance;           //!< affine distance from the head [M]
   bool first;                //!< true at the path's first crossing of the shell or disk's plane
   bool opaque;               //!< true if the opacity of the disk, or of the shell's filling, exceeds 0.9

@@ -14,7 +14,7 @@ namespace ergodome {
 //! (render/stereo/eye_distance.h).
 struct ReducedBaseline {
   StereoModel model = StereoModel::physical;
-  double r = 0.0;         //!< radius of the head [M]
+  double r = 0.0;         //!< the head's radius coordinate [M]
   double asked = 0.0;     //!< baseline of the show [M]
   double baseline = 0.0;  //!< reduced baseline [M]
 };

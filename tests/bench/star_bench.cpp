@@ -97,7 +97,7 @@ void star_gathered_picture(benchmark::State& state) {
 enum class Way { turns, goes_round, goes_round_in_sizes };
 
 //! Draws the stars of consecutive pictures of a window. `way`: the camera turns by two degrees per
-//! picture, or goes around the hole, without or with changes of the picture's width (as when the
+//! picture, goes around the hole, or goes around it while the picture's width changes (as when the
 //! player adapts it to the available time). `match`: whether star images that were found for pixels
 //! of about the same size are reused, or only those for exactly this size.
 void star_pictures(benchmark::State& state, Way way, PixelMatch match) {

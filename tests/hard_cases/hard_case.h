@@ -13,8 +13,8 @@ namespace ergodome::test {
 //! The position and the motion of a camera.
 struct CameraState {
   double spin;
-  double r;      //!< [M]
-  double theta;  //!< [rad]
+  double r;      //!< Boyer-Lindquist radius [M]
+  double theta;  //!< polar angle [rad]
   ObserverMotion motion = ObserverMotion::zamo;
   Vector3<double> beta{};
 };
@@ -30,17 +30,18 @@ using Directions = std::vector<Vector3<double>>;
 //! matter, but the method must still return unit vectors or no sky, and never NaN; it may report
 //! that it did not converge.
 struct Allowed {
-  //! Rays in double: error of the sky direction, in excess of what the rounding of the direction
-  //! causes [rad].
+  //! Rays in double: maximum error of the sky direction, in excess of what the rounding of the
+  //! direction causes [rad].
   double sky;
-  double float_ray;  //!< rays in float: maximum displacement on the observer's screen [rad]
-  //! Live grid: 99th percentile of the displacement on the screen, in pixels of a 4096² dome.
+  //! Rays in float: maximum displacement of directions on the observer's screen [rad].
+  double float_ray;
+  //! Live grid: maximum 99th percentile of the displacement of directions from the exact ones on
+  //! the observer's screen, in pixels of a 4096² dome.
   double grid_px;
-  //! Blend halfway between two streamed stations: 99th percentile of the displacement on the
-  //! screen, in pixels of a 4096² dome.
+  //! The same maximum for a blend halfway between two streamed stations.
   double streamed_px;
-  //! Published quadtree grid: 75th percentile of the displacement on the screen, in pixels of a
-  //! 4096² dome.
+  //! Published quadtree grid: maximum 75th percentile of that displacement, in pixels of a 4096²
+  //! dome.
   double quadtree_px;
 };
 

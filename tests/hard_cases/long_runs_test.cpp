@@ -186,7 +186,7 @@ EyeCamera over_the_axis(double time_s, double beside) {
 
 TEST(LongRun, APathLeadsThroughTheAxis) {
   for (const double beside : {0.0, 1e-12, 1e-9, 1e-3}) {
-    // In frame 20, the camera is exactly on the axis.
+    // In frame 20, the camera is exactly on the spin axis.
     EXPECT_LT(largest_leap_px([&](double t) { return over_the_axis(t - 20 * frame_s, beside); }, 0.0, 40), budget_px)
         << beside;
   }

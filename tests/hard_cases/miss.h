@@ -10,11 +10,12 @@ namespace ergodome::test {
 inline double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
 //! What a ray sees exactly. The sky direction is computed by elliptic functions, its derivatives by
-//! a Taylor series of order 20.
+//! the direction of the ray from a Taylor series of order 20.
 struct ExactRay {
   bool bright;
   Vector3<double> sky;
-  Vector3<double> along[2];  //!< derivatives of the sky along two axes of the camera's sky
+  //! Derivatives of `sky` along two perpendicular axes of the camera's sky [per rad].
+  Vector3<double> along[2];
   //! Sum of the lengths of both derivatives. By up to this factor, an error of the observed
   //! direction is amplified on the sky.
   double stretch;
@@ -40,8 +41,8 @@ struct Misses {
   //! Maximum error of the sky direction, in excess of what an error of the observed direction of
   //! 1e-13 rad would cause [rad].
   double sky = 0.0;
-  //! Displacements on the observer's screen, sorted [rad]; without those where the sky winds around
-  //! the hole.
+  //! Displacements of the rays' directions on the observer's screen, sorted [rad]; without those
+  //! where the sky winds around the hole.
   std::vector<double> screen;
 
   [[nodiscard]] double screen_at(double share) const;

@@ -33,8 +33,8 @@ CameraState random_position(std::mt19937_64& random, double min_height);
 CameraState random_position_within(std::mt19937_64& random);
 
 //! Returns random rays. Half of them are anywhere on the sky. The others are near principal null
-//! directions, near light that crosses the axis, or between `nearest` and 0.1 rad from the edge of
-//! the shadow.
+//! directions, near light that crosses the spin axis, or between `nearest` and 0.1 rad from the
+//! edge of the shadow.
 Directions random_rays(std::mt19937_64& random, const CameraStation& camera, int count, double nearest);
 
 //! Describes a camera in messages of failed tests.

@@ -112,7 +112,7 @@ Directions without_angular_momentum(const CameraStation& camera) {
   const double size = std::sqrt(dot(normal, normal));
   Directions all;
   if (!(size > 1e-12)) {
-    return whole_sky(camera);  // on the axis all light has zero angular momentum
+    return whole_sky(camera);  // on the spin axis all light has zero angular momentum
   }
   const Vector3<double> pole = (1.0 / size) * normal;
   const double height = -camera.axial_momentum.constant / size;

@@ -27,8 +27,8 @@ Directions beside_edge_1e(const CameraStation& camera) {
 //! Returns the two principal null directions, and directions within 1e-12 ... 1e-3 rad of them.
 Directions about_principal_rays(const CameraStation& camera);
 
-//! Returns directions of light without angular momentum, which crosses the axis, and directions
-//! within 1e-12 ... 1e-3 rad of them.
+//! Returns directions of light without angular momentum, which crosses the spin axis, and
+//! directions within 1e-12 ... 1e-3 rad of them.
 Directions without_angular_momentum(const CameraStation& camera);
 
 //! towards_sky_poles() returns directions of light that comes from a pole of the sky,

@@ -127,8 +127,9 @@ long expect_two_ways_agree(const CameraState& camera_state, const Directions& ra
   long compared = 0;
   for (std::size_t k = 0; k < rays.size(); ++k) {
     // Near principal null directions (every eighth ray here), two turning points of θ coincide in
-    // the closed form, which then loses half of its digits. Near the axis, its accuracy depends on
-    // the distance from the axis, and any ray may be close to a principal null direction.
+    // the closed form, which then loses half of its digits. Near the spin axis, its accuracy
+    // depends on the distance from the axis, and any ray may be close to a principal null
+    // direction.
     const bool beside_axis = std::sin(camera_state.theta) < 1e-6;
     const double meeting = k % 8 == 4 || beside_axis ? 1e-7 / std::sin(camera_state.theta) : 0.0;
     const double allowed = room * (20.0 * rounding.of(rays[k]) + 1e-8 + meeting);

@@ -51,7 +51,7 @@ class Walk {
     const double turn = std::sqrt(std::abs(ray_.polar_constant)) + std::abs(ray_.energy) * r;
     // φ and t are singular where Δ = 0, so steps get shorter near the horizon.
     const double gap = (r - horizon_r_) * std::min(1.0, r / 4.0);
-    // Shortens steps near the axis for a ray that misses it.
+    // Shortens steps near the spin axis for a ray that misses it.
     const double sine = std::abs(std::sin(s[polar]));
     const double swing = ray_.axial_angular_momentum == 0.0 ? 1.0 : std::min(1.0, 4.0 * sine);
     return 6e-4 * std::min({swing / turn, gap / (speed + 1e-300)});

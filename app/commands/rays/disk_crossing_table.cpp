@@ -16,8 +16,8 @@ namespace ergodome {
 
 namespace {
 
-//! Rays end at this many times the camera's radius: farther out they no longer cross the plane,
-//! except those that run along it.
+//! Rays end at this many times the camera's radius: farther out they no longer cross the equatorial
+//! plane, except those that run along it.
 constexpr double farthest = 1e6;
 constexpr int step_limit = 100'000;
 constexpr int rays_at_a_time = 16;

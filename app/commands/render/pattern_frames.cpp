@@ -14,7 +14,7 @@ namespace ergodome {
 
 namespace {
 
-//! Draws a pattern for a stereo layout: as two pictures if the layout keeps the eyes apart
+//! Draws a pattern for a stereo layout: as two pictures if the layout stores the eyes separately
 //! (keeps_eyes_apart()), otherwise as one.
 std::vector<FrameImage> pattern_images(TestPattern pattern, const Projection& projection,
                                        const StereoSettings& stereo) {

@@ -160,8 +160,8 @@ void FlightRecorder::note(FlightSample sample) {
   }
   sample.pose.orientation = glm::normalize(sample.pose.orientation);
   if (!samples_.empty()) {
-    // Keeps azimuths continuous: a camera that crosses 2 pi, or flies over the axis, has not gone
-    // around the hole.
+    // Keeps azimuths continuous: a camera that crosses 2 pi, or flies over the spin axis, has not
+    // gone around the hole.
     const double before = samples_.back().pose.phi;
     sample.pose.phi += 2.0 * pi * std::round((before - sample.pose.phi) / (2.0 * pi));
   }

@@ -11,8 +11,8 @@ namespace ergodome {
 struct RecordTolerance {
   double turn_rad = 1e-3;  //!< maximum angle of the view, and of the position as seen from the hole
   double radius = 1e-3;    //!< maximum relative deviation of the radius
-  //! Tolerance of the observer's proper velocity: a change of this size shifts directions in the
-  //! view by less than twice this number [rad].
+  //! Tolerance of the observer's proper velocity γv [c]: a change of this size shifts directions in
+  //! the view by less than twice this number [rad].
   double velocity = 5e-4;
 };
 

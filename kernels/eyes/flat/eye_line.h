@@ -36,8 +36,8 @@ ERGO_HD Vector3<double> seen_by_head(const Vector3<double>& m, double distance, 
   return e + way * m;
 }
 
-//! A point on an eye's line of sight, with derivatives along the image's rows and columns at a
-//! fixed w.
+//! A point on an eye's line of sight, with derivatives at a fixed w per pixel of the picture: along
+//! x (to the right) and y (downwards).
 template <class T>
 struct EyePoint {
   Vector3<Dual<T>> n;  //!< direction from the head
@@ -83,7 +83,8 @@ struct EyeLine {
     const T yy = dot(y, y);
     const T gx = dot(go, x);
     const T gy = dot(go, y);
-    // At a panorama's poles a row is a single direction: the derivatives are then taken as 0.
+    // At a panorama's poles a row is a single direction: `along_x` and `along_y` are then taken as
+    // 0.
     const T determinant = xx * yy - xy * xy;
     const auto known = determinant > xx * yy * S(1e-6);
     const T reciprocal = select(known, S(1) / select(known, determinant, T(S(1))), T(S(0)));
@@ -100,7 +101,7 @@ struct MetLayer {
   EyePoint<T> point;  //!< point of the line at w
   T w;
   T step;
-  T step_along_x;  //!< change of w + step along the image's rows and columns
+  T step_along_x;  //!< change of w + step per pixel to the right and downwards
   T step_along_y;
   MaskOf<T> met;  //!< lanes that meet the layer
 

@@ -12,17 +12,19 @@
 // e| / w. The curve meets objects as a ray does, whatever their surface, and whichever way round
 // the hole they are seen.
 //
-// While the directions change little, one ray with its derivatives predicts its neighbors. Where
-// light has gone round the hole so often that neighbors are in entirely different positions, images
-// are far thinner than a pixel, and the ray itself represents all that is near to it.
+// While the directions change little, one ray with its derivatives by direction predicts its
+// neighbors. Where light has gone round the hole so often that neighbors are in entirely different
+// positions, images are far thinner than a pixel, and the ray itself represents all that is near to
+// it.
 namespace ergodome::inline ERGO_TARGET {
 
 //! One of the head's rays, which represents the part of an eye's line near to it.
 struct EyeReference {
-  Vector3<double> m;       //!< direction of the eye's line of sight
-  Vector3<double> eye;     //!< e: the eye, relative to the head [M]
-  Vector3<double> n;       //!< the ray's direction, from the head
-  Vector3<double> across;  //!< unit vectors perpendicular to n, along which the ray has derivatives
+  Vector3<double> m;    //!< direction of the eye's line of sight
+  Vector3<double> eye;  //!< e: the eye, relative to the head [M]
+  Vector3<double> n;    //!< the ray's direction, from the head
+  //! Unit vectors perpendicular to n, along which the ray is differentiated.
+  Vector3<double> across;
   Vector3<double> down;
 
   //! Returns the direction in which the head sees the point of the line at nearness w. `length`
@@ -62,7 +64,8 @@ struct DistanceSpan {
   double nearest, farthest;
 };
 
-//! Returns a ray through the middle of a part of an eye's line, with the axes of its derivatives.
+//! Returns a ray through the middle of a part of an eye's line, with the axes along which its
+//! derivatives are taken.
 ERGO_HD EyeReference eye_reference(const Vector3<double>& m, const Vector3<double>& eye, double w) {
   EyeReference reference = {m, eye, {}, {}, {}};
   double length = 0.0;
@@ -151,8 +154,8 @@ class EyeStep {
   ERGO_HD void turn_to(const Vector3<double>& m) { reference_.m = m; }
 
   //! Returns the eye's path along the part of the step that keep() has selected, without
-  //! derivatives. The eye's offset from the reference ray is approximated by a parabola in the
-  //! ray's time.
+  //! derivatives by direction. The eye's offset from the reference ray is approximated by a
+  //! parabola in the ray's time.
   [[nodiscard]] ERGO_HD PathStep<Order, Parts, double> along() {
     if (!moved_) {
       move_to_begin();
@@ -196,8 +199,10 @@ class EyeStep {
  private:
   //! Position of the eye's line at a time of the ray.
   struct Position {
-    double across, down;  //!< offset from the ray [rad]
-    double distance;      //!< distance from the head [M]
+    //! Angles from the reference ray to the line, as the head sees them, along EyeReference::across
+    //! and down [rad].
+    double across, down;
+    double distance;  //!< distance from the head [M]
   };
 
   //! c[0] + c[1] t + c[2] t², through its values at three equally spaced t.
@@ -270,14 +275,15 @@ class EyeStep {
 
   ERGO_HD static double change_of(const D& distance) { return ::fabs(distance.along_x) + ::fabs(distance.along_y); }
 
-  //! Returns how far the points of neighboring lines are from a point, per radian between the lines
-  //! [M].
+  //! Returns how far the eye's lines of sight adjacent in the picture are from point `p` of this
+  //! one, at the same time of their rays, per radian between the directions in which the head sees
+  //! them [M]: the distances along both axes of the derivatives, added.
   ERGO_HD static double width_of(const Vector3<D>& p) {
     return length_of({p.x.along_x, p.y.along_x, p.z.along_x}) + length_of({p.x.along_y, p.y.along_y, p.z.along_y});
   }
 
-  //! Returns whether the points of neighboring lines are so far from point `p`, or so much nearer
-  //! to or farther from the head, that derivatives do not predict them.
+  //! Returns whether adjacent lines of sight are so far from point `p`, or so much nearer to or
+  //! farther from the head, that the reference ray's derivatives do not predict them.
   [[nodiscard]] ERGO_HD bool bends(const Vector3<D>& p, const D& distance) const {
     constexpr double widest = 0.5;
     constexpr double max_unevenness = 0.3;
@@ -331,7 +337,8 @@ class EyeStep {
   const PathStep<Order, Parts, D>& step_;
   EyeReference reference_;
   double reach_;
-  D first_;  //!< distance from the head at both ends of the step
+  //! Distance of the reference ray from the head at the beginning and at the end of the step [M].
+  D first_;
   D last_;
   //! Maximum difference between the distances of the eye's line and of the ray from the head [M].
   //! If it would be a large fraction of the distance, it is 0 and parts_ is true: the ray itself

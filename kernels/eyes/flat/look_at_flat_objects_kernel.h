@@ -104,8 +104,8 @@ struct ObjectRaysOfHead {
     return ::fmax(shortest_px, ::fmin(longest_px, part));
   }
 
-  //! Moves on to each pixel's next ray. Returns the lanes that have one, and sets their directions
-  //! with derivatives.
+  //! Moves on to each pixel's next ray. Returns the lanes that have one, and sets their directions,
+  //! with derivatives along EyeReference::across and down.
   ERGO_HD static MaskOf<T> next(PixelLines (&lines)[lanes], Vector3<D>& n) {
     T wanted(0.0);
     for (int i = 0; i < lanes; ++i) {

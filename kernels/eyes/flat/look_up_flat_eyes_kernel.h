@@ -76,7 +76,8 @@ struct LookUpFlatEyes {
     return fine > T(0.0F);
   }
 
-  //! The collection of samples, and the image positions of the current ones.
+  //! The collection of samples that rays must trace, and the positions of the current samples in
+  //! the picture.
   struct Waiting {
     LeftSamples<T>& left;
     const T& x_px;

@@ -53,7 +53,7 @@ struct MarkFlatTiles {
  private:
   static constexpr int lanes = RealTraits<T>::lane_count;
 
-  //! State of a tile: the objects found so far and their nearness.
+  //! State of a tile: the objects found so far and their range of nearness to the eye.
   struct Seen {
     EyeReference reference;
     double from_w = 0.0;

@@ -12,9 +12,10 @@ namespace ergodome::inline ERGO_TARGET {
 //! One order's layer in a direction of the head.
 template <class T>
 struct LayerPoint {
-  Dual<T> u;        //!< 1/r [1/M]
-  T u_rate;         //!< du/dλ, backwards: positive for light that was emitted outwards
-  MaskOf<T> shown;  //!< lanes in which an image may be visible
+  Dual<T> u;  //!< 1/r [1/M]
+  //! Rate du/dλ, backwards (λ: Mino time): positive for light that was emitted outwards.
+  T u_rate;
+  MaskOf<T> shown;  //!< lanes in which an image of the disk of this order may be visible
 };
 
 //! Layers from rays: the layers of crossings, which are smooth even beyond the disk's edges.

@@ -89,7 +89,7 @@ ERGO_HD BaselineTrial<T> try_baseline_step(ScalarOf<T> spin, const RayStart<T>& 
 }  // namespace detail
 
 //! Follows a ray by the baseline method. Arguments as for trace_taylor() (taylor.h). A camera on
-//! the axis, where its angles do not exist, gives rays that do not converge or are wrong; the
+//! the spin axis, where its angles do not exist, gives rays that do not converge or are wrong; the
 //! comparison is meant to show this.
 template <class T>
 ERGO_HD RayEnd<T> trace_baseline_rk34(ScalarOf<T> spin, const RayStart<T>& start, const MaskOf<T>& active_at_start,

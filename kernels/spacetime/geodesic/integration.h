@@ -13,7 +13,7 @@ struct RayState {
   T u_rate;
   Vector3<T> m;
   Vector3<T> m_rate;
-  T drag;  //!< ψ, backwards [rad]
+  T drag;  //!< frame dragging ψ [rad], backwards
 };
 
 //! Returns the lanes whose light moves only inwards on its way to the camera.
@@ -29,8 +29,8 @@ ERGO_HD RayState<T> initial_state(const RayStart<T>& start) {
   return {start.u, start.u_rate, start.m, start.m_rate, drag};
 }
 
-//! Returns the sky direction of a ray at u = 0: its polar position, rotated about the axis by the
-//! frame dragging.
+//! Returns the sky direction of a ray at u = 0: its polar position, rotated about the spin axis by
+//! the frame dragging.
 template <class T>
 ERGO_HD Vector3<T> sky_direction(const RayState<T>& end) {
   T sine;
@@ -55,9 +55,10 @@ ERGO_HD RayStart<RealOf<T>> plain_start(const RayStart<T>& start) {
 }
 
 //! Returns the tolerance of local errors. Near the critical curve an error grows by 1 / distance,
-//! so the tolerance shrinks in proportion to the distance, unless it is `on_screen`.
+//! so the tolerance shrinks in proportion to the ray's distance from it. Exception: with
+//! IntegrationSettings::on_screen, the tolerance applies to the camera's sky and does not shrink.
 //!
-//! The distance is proportional to the clearance at the barrier, which is known before the first
+//! That distance is proportional to the clearance at the barrier, which is known before the first
 //! step.
 template <class T>
 ERGO_HD RealOf<T> local_tolerance(ScalarOf<T> spin, const RayStart<T>& start, const IntegrationSettings& settings) {

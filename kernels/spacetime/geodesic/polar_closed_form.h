@@ -16,10 +16,10 @@ struct PolarForm {
   double a;   //!< A in dη/dλ = √(A + B sin²η) [M²]
   double b;   //!< B in dη/dλ = √(A + B sin²η) [M²]; A + B >= 0
   double l2;  //!< ℓ² in the formula of 1 / (1 - x²), in [0, 1]
-  double w;   //!< largest x² of motion through the equator
+  double w;   //!< w: largest x² of a motion that crosses the equator
   double constant;
   double factor;
-  //! η at the camera, as sine and cosine: next to the axis the cosine is small and accurately
+  //! η at the camera, as sine and cosine: next to the spin axis the cosine is small and accurately
   //! known.
   double start_sine;
   double start_cosine;
@@ -39,11 +39,11 @@ ERGO_HD double third_kind(const PolarForm& p, double s, double c) {
   return first_kind(p, s, c) + (1.0 - p.l2) / 3.0 * s * s * s * p.a * rj;
 }
 
-//! η as a number of half turns and a remainder in [-π/2, π/2].
+//! η = π count + a remainder in [-π/2, π/2].
 struct HalfTurns {
   double count;
-  double sine;    //!< sine of the remainder
-  double cosine;  //!< cosine of the remainder, >= 0
+  double sine;    //!< sine of that remainder
+  double cosine;  //!< cosine of that remainder, >= 0
 };
 
 ERGO_HD HalfTurns half_turns(double eta) {
@@ -94,7 +94,7 @@ ERGO_HD double first_kind_anywhere(const PolarForm& p, const HalfTurns& eta) {
 }
 
 //! Computes L ∫ dλ / (1 - x²) from η = 0 to any η, by the integrals of the first and of the third
-//! kind. On the axis (L = 0) only the jumps by π remain.
+//! kind. On the spin axis (L = 0) only the jumps by π remain.
 ERGO_HD double azimuth(const PolarForm& p, double l, const HalfTurns& eta) {
   if (l == 0.0) {
     return eta.count * 3.14159265358979323846;
@@ -223,8 +223,8 @@ ERGO_HD Vector3<double> polar_position(double spin, const RayStart<double>& ray,
     return {::cos(l * time), -::sin(l * time), 0.0};  // the ray stays in the equatorial plane
   }
   if (ray.m.x == 0.0) {
-    // On the axis every ray has L = 0 and stays in the plane of its first direction, like a ray
-    // that starts just beside the axis.
+    // On the spin axis every ray has L = 0 and stays in the plane of its first direction, like a
+    // ray that starts just beside the axis.
     const double speed = ::hypot(ray.m_rate.x, ray.m_rate.y);
     RayStart<double> beside = ray;
     beside.m_rate = {speed * ray.m.z, 0.0, -1e-300 * ray.m.z};  // already past the axis

@@ -119,8 +119,8 @@ ERGO_HD RadialIntegrals radial_integrals(const RadialRoots& roots, double x, dou
 //! Mino time and frame dragging of a whole ray.
 struct RadialMotion {
   double time;
-  double drag;        //!< ψ, backwards [rad]
-  double drag_error;  //!< error of ψ, whose parts nearly cancel for close horizons [rad]
+  double drag;        //!< frame dragging ψ [rad], backwards
+  double drag_error;  //!< error of `drag` [rad]: its parts nearly cancel for close horizons
 };
 
 namespace detail {

@@ -20,7 +20,7 @@ struct RadialBarrier {
   T clearance;
 };
 
-//! Returns U(u) = 1 + (a² - C) u² + 2 K u³ - a² Q u⁴ = (du/dλ)².
+//! Returns U(u) = 1 + (a² - C) u² + 2 K u³ - a² Q u⁴ = (du/dλ)²; λ: Mino time.
 template <class T>
 ERGO_HD T radial_potential(ScalarOf<T> spin, const RayStart<T>& ray, const T& u) {
   using S = ScalarOf<T>;

@@ -15,8 +15,8 @@ struct RainOrbit {
 inline namespace ERGO_TARGET {
 
 //! Returns the body that passes (r, θ) at azimuth `phi` of ingoing Kerr coordinates, with the given
-//! velocity (|v| < 1) in the rain frame. Valid outside the horizon and inside it, also on the axis.
-//! The inverse of orbit_rain_velocity(), by the same sums.
+//! velocity (|v| < 1) in the rain frame. Valid outside the horizon and inside it, also on the spin
+//! axis. The inverse of orbit_rain_velocity(), by the same sums.
 ERGO_HD RainOrbit make_rain_orbit(Spacetime spacetime, double r, double theta, double phi,
                                   const Vector3<double>& velocity) {
   const KerrFunctions f = kerr_functions(spacetime, r, theta);

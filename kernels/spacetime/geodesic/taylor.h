@@ -14,14 +14,14 @@ namespace ergodome::inline ERGO_TARGET {
 //! would be 10⁶⁰.
 template <class T>
 struct TaylorCoefficients {
-  T u_linear;                 //!< (a² - C) / s², with the time scale s = √C + 1
-  T u_quadratic;              //!< 3 K / s², with the time scale s = √C + 1
-  T u_cubic;                  //!< -2 a² Q / s², with the time scale s = √C + 1
-  T polar;                    //!< C / s²; C: polar constant, s = √C + 1
-  T drag_u;                   //!< -2 a / s, backwards; s = √C + 1
-  T drag_u2;                  //!< a² L / s, backwards; s = √C + 1
-  RealOf<T> spin2;            //!< a² / s², with the time scale s = √C + 1
-  ScalarOf<T> outer_horizon;  //!< r_+
+  T u_linear;                 //!< (a² - C) / s²; s: see TaylorCoefficients
+  T u_quadratic;              //!< 3 K / s²
+  T u_cubic;                  //!< -2 a² Q / s²
+  T polar;                    //!< C / s²
+  T drag_u;                   //!< -2 a / s: factor of u in the numerator of ψ', backwards
+  T drag_u2;                  //!< a² L / s: factor of u² in the numerator of ψ', backwards
+  RealOf<T> spin2;            //!< a² / s²
+  ScalarOf<T> outer_horizon;  //!< radius of the outer horizon, r_+ [M]
   //! As in RayStart. For lanes whose light moves only inwards, the members below have other values,
   //! which put X + √R in place of Δ (drag_rate() in runge_kutta.h).
   bool ingoing;
@@ -186,7 +186,7 @@ ERGO_HD T series_value(const T (&c)[Order], const Step& h) {
   return sum;
 }
 
-//! Returns the derivative of a series at h.
+//! Returns the derivative of a series by h, at h.
 template <int Order, class T, class Step>
 ERGO_HD T series_rate(const T (&c)[Order], const Step& h) {
   using S = ScalarOf<T>;

@@ -11,7 +11,7 @@ namespace ergodome {
 //! Constants of motion of a freely falling body of mass 1.
 struct OrbitConstants {
   double energy;                  //!< E at infinity; 1 for a body that is at rest at infinity
-  double axial_angular_momentum;  //!< L_z [M]
+  double axial_angular_momentum;  //!< L_z of the body [M]
   double polar_constant;          //!< Q + L_z² [M²], with Carter's Q
   //! Azimuth and time are those of ingoing Kerr coordinates, in which bodies cross the horizon: dφ
   //! + (a/Δ) dr, dt + ((r² + a²)/Δ) dr.
@@ -24,16 +24,16 @@ struct OrbitConstants {
 struct OrbitState {
   double u;                //!< 1 / r [1/M]
   double u_rate;           //!< du/dλ
-  Vector3<double> m;       //!< (sinθ cosψ, sinθ sinψ, cosθ)
+  Vector3<double> m;       //!< (sinθ cosψ, sinθ sinψ, cosθ); ψ: azimuth without frame dragging
   Vector3<double> m_rate;  //!< dm/dλ [M]
-  double drag;             //!< φ - ψ [rad]
+  double drag;             //!< azimuth by frame dragging, φ - ψ [rad]
   double time;             //!< t since the start [M], Boyer-Lindquist unless `ingoing`
 };
 
 inline namespace ERGO_TARGET {
 
 //! Returns the body that passes (r, θ, φ) with the given velocity (|v| < 1) in the ZAMO frame; r
-//! outside the horizon, also on the axis.
+//! outside the horizon, also on the spin axis.
 ERGO_HD OrbitState make_orbit(Spacetime spacetime, double r, double theta, double phi,
                               const Vector3<double>& velocity) {
   const KerrFunctions f = kerr_functions(spacetime, r, theta);
@@ -54,9 +54,9 @@ namespace detail {
 //! Momentum in the ZAMO frame, with L_z and the metric functions that it is computed from.
 struct OrbitMomentum {
   KerrFunctions f;
-  double radial;     //!< γ v_r in the ZAMO frame
-  double polar;      //!< γ v_θ in the ZAMO frame
-  double azimuthal;  //!< γ v_φ in the ZAMO frame
+  double radial;     //!< γ v_r of the body in the ZAMO frame
+  double polar;      //!< γ v_θ of the body in the ZAMO frame
+  double azimuthal;  //!< γ v_φ of the body in the ZAMO frame
   double axial;      //!< L_z [M]
 };
 
@@ -66,7 +66,7 @@ ERGO_HD OrbitMomentum momentum_of(Spacetime spacetime, const OrbitState& s) {
   p.radial = -s.u_rate / (s.u * s.u * ::sqrt(p.f.sigma * p.f.delta));
   const double sine = ::sqrt(s.m.x * s.m.x + s.m.y * s.m.y);
   p.axial = s.m.x * s.m_rate.y - s.m.y * s.m_rate.x;
-  // On the axis every direction is equivalent, and both lengths are the same.
+  // On the spin axis every direction is equivalent, and both lengths are the same.
   const double around = sine > 1e-150 ? p.axial / sine : ::sqrt(dot(s.m_rate, s.m_rate));
   const double south =
       sine > 1e-150 ? (s.m.z * (s.m.x * s.m_rate.x + s.m.y * s.m_rate.y) - sine * sine * s.m_rate.z) / sine : 0.0;
@@ -85,7 +85,8 @@ ERGO_HD Vector3<double> orbit_velocity(Spacetime spacetime, const OrbitState& s)
 }
 
 //! Returns the velocity in the ZAMO frame with e_θ and e_φ taken at the azimuth `psi`. That is the
-//! body's ψ, except on the axis, where all directions are equivalent and the caller chooses one.
+//! body's ψ, except on the spin axis, where all directions are equivalent and the caller chooses
+//! one.
 ERGO_HD Vector3<double> orbit_velocity(Spacetime spacetime, const OrbitState& s, double psi) {
   const double sine = ::sqrt(s.m.x * s.m.x + s.m.y * s.m.y);
   const Vector3<double> south = {s.m.z * ::cos(psi), s.m.z * ::sin(psi), -sine};

@@ -27,13 +27,13 @@ struct CameraStationOf {
   S spin;       //!< a [M]
   S horizon_r;  //!< radius of the outer horizon [M]
   S u;          //!< 1 / r [1/M]
-  S sine_phi;   //!< azimuth of the camera: only rotates the sky
+  S sine_phi;   //!< sine and cosine of the camera's azimuth, which only rotates the sky
   S cosine_phi;
-  S sine_theta;  //!< polar angle of the camera
+  S sine_theta;  //!< sine and cosine of the camera's polar angle
   S cosine_theta;
   DirectionForm<S> energy;          //!< energy at infinity, for an observed energy of 1
   DirectionForm<S> axial_momentum;  //!< L_z of the photon [M]
-  DirectionForm<S> outward_rate;    //!< -du/dλ, backwards
+  DirectionForm<S> outward_rate;    //!< -du/dλ of the ray, backwards; λ: Mino time
   DirectionForm<S> polar_rate;      //!< e_θ · dm/dλ, backwards [M]
   DirectionForm<S> azimuthal_rate;  //!< e_φ · dm/dλ, backwards [M]
   bool ingoing = false;             //!< the camera is inside the horizon or near it; see RayStart

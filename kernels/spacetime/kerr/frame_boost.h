@@ -41,7 +41,7 @@ ERGO_HD Vector3<T> aberrated(const FrameBoostOf<ScalarOf<T>>& boost, const Vecto
   const S k = boost.stretch;
   const T along = n.x * boost.axis.x + n.y * boost.axis.y + n.z * boost.axis.z;
   const Vector3<T> across = {n.x - along * boost.axis.x, n.y - along * boost.axis.y, n.z - along * boost.axis.z};
-  // 1 - cos and 1 + cos of the angle to the axis, each without cancellation.
+  // 1 - cos and 1 + cos of the angle to the boost's axis, each without cancellation.
   const T square = dot(across, across);
   const auto forwards = along > T(S(0));
   const T larger = S(1) + select(forwards, along, -along);

@@ -19,8 +19,8 @@ namespace ergodome::inline ERGO_TARGET {
 template <class S>
 struct HorizonWinding {
   S spin;
-  S horizon_r;  //!< r_+ [M]
-  S gap;        //!< d = r_+ - r_- [M]
+  S horizon_r;  //!< radius of the outer horizon, r_+ [M]
+  S gap;        //!< d = r_+ - r_-, between both horizons [M]
   //! Sign of W: 1 for light followed in to the horizon, -1 for light followed out of it from a
   //! camera within.
   S sense;

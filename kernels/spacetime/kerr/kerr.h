@@ -47,15 +47,15 @@ ERGO_HD double outer_lag(Spacetime spacetime, double r) {
 
 //! The metric functions at one position.
 struct KerrFunctions {
-  double sigma;                 //!< Σ [M²]
-  double delta;                 //!< Δ [M²]
-  double area;                  //!< A [M⁴]
+  double sigma;                 //!< Σ = r² + a² cos²θ [M²]
+  double delta;                 //!< Δ = r² - 2 r + a² [M²]
+  double area;                  //!< A = (r² + a²)² - a² Δ sin²θ [M⁴]
   double frame_dragging;        //!< ω = 2 a r / A, angular velocity of the ZAMO [1/M]
   double rain_speed;            //!< speed of free fall from rest at infinity, in the ZAMO frame
   double circumference_factor;  //!< √(A / Σ) [M]: proper radius of the circle of latitude / sinθ
 };
 
-//! Evaluates the metric functions at (r, θ) [M, rad], r > 0. Also accurate on the axis, at the
+//! Evaluates the metric functions at (r, θ) [M, rad], r > 0. Also accurate on the spin axis, at the
 //! horizon and inside it.
 ERGO_HD KerrFunctions kerr_functions(Spacetime spacetime, double r, double theta) {
   const double spin = spacetime.spin;

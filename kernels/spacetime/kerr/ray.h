@@ -13,14 +13,15 @@ namespace ergodome {
 //! with φ = 0 at the camera and without frame dragging, which is the separate angle ψ.
 template <class T>
 struct RayStart {
-  T axial_angular_momentum;  //!< L = L_z / E of the photon [M]
+  T axial_angular_momentum;  //!< L = L_z / E of the photon [M]; E: its energy at infinity
   T polar_constant;          //!< C = Q + L² = |m'|² - a² m_z² [M²]
-  T shear_constant;          //!< K = Q + (L - a)² >= 0 [M²]
+  T shear_constant;          //!< K = Q + (L - a)² >= 0 [M²]; Q: Carter's constant
   T u;                       //!< 1 / r [1/M]
-  T u_rate;                  //!< du / dλ, backwards; u_rate² = 1 + (a² - C) u² + 2 K u³ - a² Q u⁴
-  Vector3<T> m;              //!< polar position, |m| = 1
-  Vector3<T> m_rate;         //!< dm / dλ, backwards [M]
-  T energy;                  //!< energy at infinity / energy seen by the observer: g = 1 / energy
+  //! Rate du / dλ (λ: Mino time), backwards; u_rate² = 1 + (a² - C) u² + 2 K u³ - a² Q u⁴.
+  T u_rate;
+  Vector3<T> m;       //!< polar position, |m| = 1
+  Vector3<T> m_rate;  //!< dm / dλ, backwards [M]
+  T energy;           //!< energy at infinity / energy seen by the observer: g = 1 / energy
   //! The camera is inside the horizon or near it. Azimuths of light that moves only inwards
   //! (negative u_rate) are then in ingoing Kerr coordinates along the way, where nothing is
   //! singular.

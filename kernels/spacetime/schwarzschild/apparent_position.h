@@ -13,8 +13,8 @@ namespace ergodome::inline ERGO_TARGET {
 struct ConnectionPlane {
   Vector3<double> outward;  //!< e_1: from the hole to the observer
   Vector3<double> across;   //!< e_2: perpendicular to e_1, on the point's side
-  double r_observer;        //!< radius of the observer [M]
-  double r;                 //!< radius of the point [M]
+  double r_observer;        //!< the observer's radius coordinate [M]
+  double r;                 //!< the point's radius coordinate [M]
   double phi;               //!< angle between observer and point about the hole, 0 to π [rad]
 };
 

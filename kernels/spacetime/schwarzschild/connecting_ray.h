@@ -15,15 +15,16 @@ namespace ergodome::inline ERGO_TARGET {
 struct ConnectingRay {
   //! Angle at a static observer between the apparent direction of the point and outward [rad].
   double xi;
-  double travel_time;  //!< coordinate time [M]
-  //! For a photon of energy 1 at infinity [M]. Divide by √(1 - 2/r_obs) for a photon that an
-  //! observer at rest sees with energy 1.
+  double travel_time;  //!< coordinate time from the point to the observer [M]
+  //! Affine distance along the ray, for a photon of energy 1 at infinity [M]. Divide by √(1 -
+  //! 2/r_obs) for a photon that an observer at rest sees with energy 1.
   double affine_distance;
-  double impact_parameter;  //!< [M]
+  double impact_parameter;  //!< b: angular momentum over energy [M]
   //! Angle at a static emitter at the point between the direction of emission and outward [rad].
   double emission_angle;
-  double rate_at_observer;  //!< du/dφ at the observer, φ from observer to point [1/M]
-  double rate_at_point;     //!< du/dφ at the point, in the same sense of φ [1/M]
+  //! Rate du/dφ at the observer [1/M]; u = 1/r, φ increases from observer to point.
+  double rate_at_observer;
+  double rate_at_point;  //!< du/dφ at the point [1/M], with the same direction of φ
 };
 
 namespace detail {
@@ -31,8 +32,8 @@ namespace detail {
 //! The two points, in the quantities that the orbits need.
 struct Endpoints {
   double r_far, r_near;  //!< radii of both points; far: the larger one [M]
-  double u_far, u_near;  //!< 1/r
-  double v_far, v_near;  //!< u - 1/3
+  double u_far, u_near;  //!< u = 1/r of both points [1/M]
+  double v_far, v_near;  //!< v = u - 1/3 of both points
   double gap;            //!< u_near - u_far
   double log_gap;        //!< r*_far - r*_near [M]; r*: tortoise coordinate (null_orbit.h)
   double r_gap;          //!< r_far - r_near [M]

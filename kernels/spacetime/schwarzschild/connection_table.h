@@ -24,7 +24,7 @@ struct ConnectionGrid {
   double u_low, u_high;  //!< range of u = 1/r of the points [1/M]
   //! Range of 1/r of the observers [1/M]; both equal for one observer.
   double u_observer_low, u_observer_high;
-  int rows;      //!< nodes in u, 4 or more
+  int rows;      //!< number of nodes in u, 4 or more
   int columns;   //!< number of steps in φ from 0 to its maximum, 4 or more
   int layers;    //!< number of observers' radii: 1, or 4 or more
   int fan_rows;  //!< values of u at which rays are solved
@@ -70,9 +70,9 @@ inline constexpr int fan_stencil = 10;
 
 //! The ray that connects a point with the observer, as interpolated from a table.
 struct SeenPoint {
-  double xi;               //!< as in ConnectingRay [rad]
-  double travel_time;      //!< [M]
-  double emission_angle;   //!< as in ConnectingRay [rad]
+  double xi;               //!< angle ξ at the observer, as in ConnectingRay [rad]
+  double travel_time;      //!< coordinate time from the point to the observer [M]
+  double emission_angle;   //!< angle at the point, as in ConnectingRay [rad]
   double affine_distance;  //!< as in ConnectingRay [M]
 };
 

@@ -24,7 +24,7 @@ namespace ergodome::inline ERGO_TARGET {
 //! The part of an orbit between two points: its azimuth, its coordinate time minus |Δr*|, and its
 //! affine distance minus |Δr|.
 struct OrbitLeg {
-  double angle;    //!< azimuth swept [rad]
+  double angle;    //!< azimuth about the hole between both points [rad]
   double delay;    //!< coordinate time minus |Δr*| [M]
   double stretch;  //!< affine distance minus |Δr| [M]
 };
@@ -32,7 +32,7 @@ struct OrbitLeg {
 //! An orbit that turns, b >= √27.
 struct TurningOrbit {
   double inverse_b_squared;  //!< 1/b²
-  double turn;               //!< u of the turn
+  double turn;               //!< u_t: u at which the orbit turns
   //! +1: turns below u = 1/3 and comes from farther out; -1: turns above it and comes from farther
   //! in.
   double side;

@@ -17,8 +17,8 @@ struct EdgeCurve {
   Vector3<float> second;
   const float* polar_angle;  //!< α at γ = 2π i / count [rad]
   int count;
-  float smallest;  //!< smallest α [rad]
-  float largest;   //!< largest α [rad]
+  float smallest;  //!< smallest α of the edge [rad]
+  float largest;   //!< largest α of the edge [rad]
 };
 
 inline namespace ERGO_TARGET {

@@ -16,7 +16,7 @@ inline constexpr int omni_numbers = 28;
 //! Index of the first value of the energy's form.
 inline constexpr int omni_energy = 4;
 
-//! Highest degree of the polynomials.
+//! Highest degree of the polynomials that give these values as functions of the eye's position.
 inline constexpr int omni_max_degree = 10;
 
 constexpr int omni_terms(int degree) { return (degree + 1) * (degree + 2) / 2; }
@@ -35,8 +35,9 @@ struct OmniCameraOf {
   S inverse_convergence;  //!< 1 / radius of the sphere on which the eyes' directions meet [1/M]
   S fade_begin;           //!< cosine of the elevation at which the offset is 0
   S fade_scale;           //!< 1 / (cosine at which the offset is full - fade_begin)
-  S inverse_reach;        //!< 1 / radius within which the polynomials are valid [1/M]
-  int degree;             //!< degree of the polynomials
+  //! 1 / distance of the eye from the head up to which the polynomials are valid [1/M].
+  S inverse_reach;
+  int degree;  //!< degree in p and q of the polynomials of `coefficients`
   //! omni_numbers polynomials, each with omni_terms(degree) coefficients, of the terms 1, p, q, p²,
   //! p q, q², ... p and q are the eye's position to the right and to the back, times inverse_reach.
   const S* coefficients;

@@ -24,9 +24,9 @@ struct RayBatch {
   Scalar* sky[3];              //!< unit vectors to the sources, rotated by camera φ; 0 unless LightEnd::sky
   Scalar* frequency_ratio;     //!< g = ν_observed / ν_emitted; for captured rays this is formally 1 / E
   Scalar* status;              //!< LightEnd as a number
-  Scalar* steps;               //!< integration steps
-  Scalar* error_estimate;      //!< the integrator's estimate [rad]
-  Scalar* mino_time;           //!< [1/M]
+  Scalar* steps;               //!< number of integration steps
+  Scalar* error_estimate;      //!< the integrator's estimate of the error of `sky` [rad]
+  Scalar* mino_time;           //!< Mino time from the camera to infinity [1/M]
 };
 
 template <class Scalar>

@@ -18,7 +18,8 @@ struct BezierPatch {
 //! How a patch of a lens maps the chart to the sky.
 enum class PatchShape {
   regular,  //!< nearly affine: Newton's method finds the only image of a star from any start
-  bent,     //!< one to one, but its Jacobian differs too much from that at its middle
+  //! One to one, but its Jacobian differs from that at its middle by more than max_regular_change.
+  bent,
   //! A critical curve may run through it: a star may have several images of any brightness.
   folded
 };
@@ -41,8 +42,8 @@ ERGO_HD BezierPatch bezier_patch(const LensGrid& grid, int leaf, float width_tur
     const float* node = grid.nodes + floats_a_node * grid.leaves[4 * leaf + corner];
     const int column = corner & 1;
     const int row = corner >> 1;
-    // Steps from each corner inwards to the next control points: a third of the derivative times
-    // the side of the leaf.
+    // Steps from each corner inwards to the next control points: a third of the derivative along γ
+    // or s, times the side of the leaf along it.
     const float along_u = (column == 0 ? width_turns : -width_turns) / 3.0F;
     const float along_v = (row == 0 ? height : -height) / 3.0F;
     for (int i = 0; i < 3; ++i) {
@@ -90,7 +91,7 @@ ERGO_HD void split_points(const T (&from)[16], int axis, T (&first)[16], T (&sec
   }
 }
 
-//! Computes the cubic Bernstein polynomials at t and their derivatives.
+//! Computes the cubic Bernstein polynomials at t and their derivatives by t.
 template <class T>
 ERGO_HD void bernstein(const T& t, T (&basis)[4], T (&slope)[4]) {
   const T r = T(1.0F) - t;
@@ -112,8 +113,8 @@ struct FormValue {
   T value, by_u, by_v;
 };
 
-//! Evaluates one coordinate of a patch with its derivatives. Sums along v first, so that four
-//! columns are summed at a time.
+//! Evaluates one coordinate of a patch with its derivatives by u and v. Sums along v first, so that
+//! four columns are summed at a time.
 template <class T, class Point>
 ERGO_HD FormValue<T> form_at(const Point (&points)[16], const T (&along_u)[4], const T (&slope_u)[4],
                              const T (&along_v)[4], const T (&slope_v)[4]) {
@@ -198,8 +199,8 @@ ERGO_HD float derivative_change(const BezierPatch& patch, const PlaneValue<float
     };
     const T dp = difference(patch.x);
     const T dq = difference(patch.y);
-    // J⁻¹ times the control points of a derivative, minus the unit vector that it equals in an
-    // affine map.
+    // J⁻¹ times the control points of the derivative by u or v, minus the unit vector that it
+    // equals in an affine map.
     const T change = maximum(absolute((middle.q_v * dp - middle.p_v * dq) * scale - unit_u),
                              absolute((middle.p_u * dq - middle.q_u * dp) * scale - unit_v));
     largest = maximum(largest, select(mask_from_bits<T>(~last >> static_cast<unsigned>(i)), change, T(0.0F)));

@@ -23,14 +23,14 @@ struct ChartImage {
 struct CorrectedLeaves {
   //! Four per leaf: its corner in the chart, γ [turns] and s, its width and its height.
   const float* boxes;
-  const int* leaves;   //!< corners, as in LensGrid
+  const int* leaves;   //!< four node indices per leaf, as LensGrid::leaves
   const float* nodes;  //!< nodes as in LensGrid, with the values of traced rays
-  //! For each leaf: the displacements at its checks along γ, then along s, in fractions of the
-  //! leaf's sides; nullptr: unknown.
+  //! For each leaf: the displacements of traced rays from the grid at its checks, along γ, then
+  //! along s, in fractions of the leaf's sides; nullptr: unknown.
   const float* checks;
 };
 
-//! A displacement within a leaf, in fractions of its sides.
+//! A displacement of an image within a leaf, in fractions of the leaf's sides.
 struct LeafDisplacement {
   float along_gamma;
   float along_s;
@@ -42,7 +42,7 @@ inline namespace ERGO_TARGET {
 namespace detail {
 inline constexpr int floats_of_checks = 2 * checks_a_cell;
 
-//! (t (1 - t))², scaled to 1 in the middle, and its derivative.
+//! (t (1 - t))², scaled to 1 in the middle, and its derivative by t.
 struct Quartic {
   float value, slope;
 };
@@ -84,7 +84,7 @@ ERGO_HD bool correct_image(const CorrectedLeaves& grid, int leaf, const Vector3<
   // changes the Jacobian, or after max_steps steps.
   constexpr float short_step = 2e-4F;
   constexpr int max_steps = 3;
-  // Maximum displacement of an image [fractions of a leaf].
+  // Maximum displacement of an image by the correction [fractions of a leaf].
   constexpr float longest_way = 0.1F;
   const float* const box = grid.boxes + 4 * static_cast<long>(leaf);
   const float width = box[2];
@@ -115,7 +115,8 @@ ERGO_HD bool correct_image(const CorrectedLeaves& grid, int leaf, const Vector3<
   const LeafDisplacement by = leaf_displacement(grid, leaf, u, v);
   u += by.along_gamma;
   v += by.along_s;
-  // The condition is also false, and the correction refused, if a position is NaN.
+  // The comparison inside the negation is also false if u or v is NaN; the correction is then
+  // refused.
   if (!(::fabsf(u - start[0]) + ::fabsf(v - start[1]) < longest_way)) {
     return false;
   }

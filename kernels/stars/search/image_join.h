@@ -24,7 +24,7 @@ struct ImageJoinBatch {
   const SeenImage* found[2];  //!< images found, in two arrays; entries with a star of -1 are unused
   int found_count[2];
   int star_count;
-  double pixel;  //!< angle of a pixel [rad]
+  double pixel;  //!< angle that a pixel of the picture subtends [rad]
   ImageOrder order;
   //! Number of images of each star; must be zero before the steps `count` and `number`.
   std::int32_t* counts;

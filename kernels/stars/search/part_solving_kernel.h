@@ -95,9 +95,9 @@ struct PartSolver {
 
   //! The geometry of a fold near a point of a part.
   struct Fold {
-    T u, v;     //!< direction that the map shrinks most
-    T slope;    //!< derivative of the determinant along (u, v)
-    T stretch;  //!< stretch of the map across (u, v)
+    T u, v;     //!< unit vector in the part's square along which the map shrinks most
+    T slope;    //!< derivative of the Jacobian determinant along (u, v)
+    T stretch;  //!< stretch of the map to the sky across (u, v)
   };
 
   ERGO_HD static Fold fold_at(const SeenPatch<T>& patch, const Position& at, const PlaneValue<T>& f) {

@@ -46,10 +46,10 @@ struct PatchNewtonBatch {
   PatchPairBatch pairs;
   NewtonLimits limits;
   float* found;  //!< 1 where the method has found the star, 0 elsewhere
-  float* u;      //!< position found, which may lie outside [0, 1]²
+  float* u;      //!< position (u, v) found in the patch's unit square; may lie outside [0, 1]²
   float* v;
-  //! Jacobian determinant at the position found: area in the plane per area of the unit square;
-  //! negative for inverted parity.
+  //! Jacobian determinant at the position found: area in the plane z = 1 of the patch's frame per
+  //! area of the unit square; negative for inverted parity.
   float* area;
 };
 

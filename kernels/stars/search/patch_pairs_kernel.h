@@ -159,8 +159,8 @@ struct FindPatchSides {
     const auto bend = [](const T* at) {
       return maximum(absolute(at[0] - T(2.0F) * at[1] + at[2]), absolute(at[1] - T(2.0F) * at[2] + at[3]));
     };
-    // A cubic's second derivative is at most 6 times these differences. A chord differs from it by
-    // at most an eighth of that times the square of the parameter's step.
+    // A cubic's second derivative by its parameter is at most 6 times these differences. A chord
+    // differs from it by at most an eighth of that times the square of the parameter's step.
     constexpr float chord_part = 6.0F / (8.0F * chords * chords);
     return (bend(p) + bend(q)) * chord_part;
   }

@@ -24,8 +24,8 @@ inline constexpr int max_roots = 6;
 //! exists.
 struct FoldedRoot {
   float u, v;  //!< position in the patch: in [0, 1]² and slightly beyond, so that no root on a border is lost
-  //! Jacobian determinant: area in the plane per area of the unit square; negative for inverted
-  //! parity.
+  //! Jacobian determinant: area in the plane z = 1 of the patch's frame per area of its unit
+  //! square; negative for inverted parity.
   float area;
 };
 

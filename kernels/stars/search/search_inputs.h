@@ -12,7 +12,7 @@ namespace ergodome {
 //! A view as a cone in the observer's frame, with a unit vector as its axis.
 struct ViewCone {
   Vector3<double> axis = {1.0, 0.0, 0.0};
-  double half_angle = 3.14159265358979323846;  //!< [rad]
+  double half_angle = 3.14159265358979323846;  //!< half angle of the cone [rad]
   double cosine = -1.0;                        //!< cosine of half_angle
 };
 
@@ -21,10 +21,10 @@ struct SearchInputs {
   const StarPatch* patches;
   int patch_count;
   int sides;       //!< 2 if the grid covers half of a sky that is its own mirror image, else 1
-  float faintest;  //!< images of lower illuminance are left out [lx]
+  float faintest;  //!< star images of lower illuminance at the camera are omitted [lx]
   CorrectedLeaves corrected;
   SearchedField field;
-  ViewCone view;     //!< images outside this view may be left out
+  ViewCone view;     //!< images outside this cone may be omitted
   SkyRotation turn;  //!< rotation from the patches' azimuth, φ = 0, to the camera's
 };
 

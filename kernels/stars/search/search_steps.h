@@ -85,8 +85,8 @@ ERGO_HD bool image_at_root(const SearchInputs& inputs, const SearchedPair& pair,
                            RoughImage& image) {
   const StarPatch& patch = inputs.patches[pair.patch];
   const FieldStar& star = inputs.field.stars[pair.star];
-  // Solid angle of the sky per unit square of the patch. Areas in the plane exceed the solid angles
-  // behind them by a factor of 1 / depth.
+  // Solid angle of the sky per unit square of the patch. Areas in the plane z = 1 of the patch's
+  // frame exceed the solid angles behind them by a factor of 1 / depth.
   const float sky = maximum(::fabsf(root.area), 1e-30F) * pair.depth;
   // Upper limit of the image's illuminance over the star's, including its frequency shift.
   const float gain = patch.brighter * (patch.max_camera / sky) * patch.light.brighter *

@@ -14,7 +14,7 @@ enum PartChannel : int {
   part_q = 16,  //!< 16 control points: q = y - b z; p and q are 0 at the star
   part_u = 32,  //!< where the part begins in the patch, in [0, 1] along u; next channel: along v
   part_v = 33,
-  part_size_u = 34,  //!< size as a fraction of the patch
+  part_size_u = 34,  //!< extent along u, as a fraction of the patch's; next channel: along v
   part_size_v = 35,
   part_pair = 36,   //!< index of the pair
   part_error = 37,  //!< maximum deviation of the patch from the true sky, in the patch's plane
@@ -68,10 +68,10 @@ struct SolvePartsBatch {
   SeenParts parts;
   bool folded;   //!< parts may be folded: roots are also sought outside the parts and across the fold
   float* found;  //!< 1 for a root, 0 for none
-  float* u;      //!< position in the patch
+  float* u;      //!< position (u, v) of the root in the patch's unit square
   float* v;
-  //! Area in the plane per area of the patch's unit square; negative for inverted parity, 0 for a
-  //! guess.
+  //! Area in the plane z = 1 of the patch's frame per area of the patch's unit square; negative for
+  //! inverted parity, 0 for a guess.
   float* area;
 };
 

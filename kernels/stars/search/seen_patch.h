@@ -83,8 +83,8 @@ ERGO_HD MaskOf<T> is_regular(const SeenPatch<T>& patch) {
   const T half(0.5F);
   const PlaneValue<T> middle = seen_at(patch, half, half);
   const T scale = T(3.0F) / determinant(middle);
-  // J⁻¹ times the control points of a derivative, minus the unit vector that it equals in an affine
-  // map.
+  // J⁻¹ times the control points of the derivative by u or v, minus the unit vector that it equals
+  // in an affine map.
   const auto change = [&](int from, int to, float unit_u, float unit_v) {
     const T dp = patch.p[to] - patch.p[from];
     const T dq = patch.q[to] - patch.q[from];

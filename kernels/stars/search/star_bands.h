@@ -19,7 +19,7 @@ struct StarBands {
   int bands;
   int cells;
   const int* first;
-  const float* direction[3];  //!< unit vectors
+  const float* direction[3];  //!< unit vectors to the stars in the hole's sky axes
   const float* illuminance;   //!< [lx]
 };
 

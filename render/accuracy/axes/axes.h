@@ -27,8 +27,8 @@ std::optional<AccuracyAxis> measure_stars(const Show& show, const std::vector<Ac
 bool has_stations(const Show& show);
 
 //! Measures how far apart stations on a show's camera path may be if the lens is blended between
-//! them, with and without the stations' derivatives. Returns nothing if has_stations() is false, or
-//! if r and θ are constant at all moments.
+//! them, with and without the stations' derivatives along the camera's r and θ. Returns nothing if
+//! has_stations() is false, or if r and θ are constant at all moments.
 //!
 //! Times and disk sizes are totals over the stations that one second of the show needs; memory is
 //! that of one station. Errors are measured halfway between two stations, where they are largest.

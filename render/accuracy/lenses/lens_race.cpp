@@ -57,8 +57,8 @@ std::vector<double> means_of(const std::vector<std::vector<double>>& moments) {
 
 double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
-//! Returns the displacements at all compared pixels for which PixelReference::counts() is true, and
-//! zero for the others.
+//! Returns, for all compared pixels, the displacements on the screen of what the lens shows
+//! (PixelReference::miss()); zero for pixels for which PixelReference::counts() is false.
 std::vector<Vector3<double>> misses_of(const PixelLens& lens, const PixelReference& reference,
                                        const PixelLattice& lattice) {
   std::vector<Vector3<double>> misses(reference.size());

@@ -17,9 +17,10 @@ struct ExactImage {
 };
 
 //! Refines approximate lensed images of stars to exact ones with Newton's method on rays in closed
-//! form (Gralla & Lupsasca 2020), with derivatives from a Taylor series. Independent of the
-//! renderer's search for images. An entry is empty if the iteration does not end on the star within
-//! `reach` [rad] of the approximate image, or if no light comes from the sky there.
+//! form (Gralla & Lupsasca 2020), with derivatives by the view direction from a Taylor series.
+//! Independent of the renderer's search for images. An entry is empty if the iteration does not end
+//! on the star within `reach` [rad] of the approximate image, or if no light comes from the sky
+//! there.
 //!
 //! `stars[i]`: direction on the sky of the star of image i, in the hole's axes. `found[i]`:
 //! direction of the approximate image in the observer's frame.

@@ -10,8 +10,8 @@
 namespace ergodome {
 
 //! The exact view of some pixels of an eye's picture: rays in closed form (Gralla & Lupsasca 2020)
-//! and exact derivatives of the lens. Converts errors of sky directions to displacements on the
-//! screen.
+//! and exact derivatives of the sky direction by the view direction. Converts errors of sky
+//! directions to displacements on the screen.
 class PixelReference {
  public:
   //! `pixels`: pixel indices, row times width plus column. `pixel`: the angle that is the unit of

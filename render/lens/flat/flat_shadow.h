@@ -15,8 +15,10 @@ namespace ergodome {
 //!
 //! Towards the shadow's edge, rays circle longer before they fall in, and the affine distance grows
 //! without bound, as the logarithm of the angle from the edge. Therefore the edge has no parallax,
-//! like the sky beside it. The interior of the shadow has one, and on one side it extends beyond
-//! the edge that the head sees: an eye's shadow is the head's shadow plus a crescent.
+//! like the sky beside it. The interior of the shadow has parallax: an eye to the right of the head
+//! sees it moved to the left, beyond the left edge that the head sees, and an eye to the left sees
+//! the reverse. So an eye's shadow is the head's shadow plus a crescent on the side away from the
+//! eye.
 class FlatShadow {
  public:
   //! Traces the affine distances in the head's dark directions.
@@ -41,9 +43,9 @@ class FlatShadow {
   //! horizon.
   [[nodiscard]] double max_baseline() const;
 
-  //! Computes the shadow edge that an eye sees, in the chart of the head's edge and at the same
-  //! position angles. The eye is `offset` to the right of the head [M]. Throws Error if 2 |offset|
-  //! exceeds max_baseline().
+  //! Computes the shadow edge that an eye sees: its angles from the center of the head's shadow
+  //! chart [rad], at the same position angles as the head's edge. The eye is `offset` to the right
+  //! of the head [M]. Throws Error if 2 |offset| exceeds max_baseline().
   [[nodiscard]] std::vector<float> eye_edge(double offset) const;
 
   //! Computes FlatHorizon::nearness for the eye at `offset` [M], whose shadow edge is `edge`: in

@@ -37,8 +37,8 @@ EdgeCurve edge_view(const ShadowChart& chart, const std::vector<float>& polar_an
 double edge_miss(const EdgeCurve& table, const CameraStation& observer, const Aberration& to_rain);
 
 //! Caches the results of edge_miss() for the last two eyes, because each frame of a camera that
-//! only turns or circles the axis needs the same one. of() returns 0 for spins up to 0.999, where
-//! tables are accurate for all observers.
+//! only turns or circles the spin axis needs the same one. of() returns 0 for spins up to 0.999,
+//! where tables are accurate for all observers.
 class EdgeMiss {
  public:
   double of(const EyeCamera& eye);

@@ -12,8 +12,8 @@ namespace ergodome {
 
 //! Settings for building a lens grid.
 struct GridSettings {
-  double pixel = 7.67e-4;  //!< angle of a pixel on the screen [rad]
-  double budget_px = 0.1;  //!< maximum displacement on the screen
+  double pixel = 7.67e-4;  //!< angle that a pixel of the screen subtends [rad]
+  double budget_px = 0.1;  //!< maximum displacement of directions on the screen by the grid
   Aberration observer{};   //!< observer of the screen, from aberration_to_rain()
   //! Traces nodes in double precision; float is faster and suffices for budgets of 1e-5 rad and
   //! more.
@@ -24,7 +24,8 @@ struct GridSettings {
   //! Maximum number of nodes. When it is reached, the pixels of cells that still exceed the budget
   //! are left to direct rays.
   int max_nodes = 1 << 16;
-  //! Also computes the derivatives of the nodes along r and θ; the grid is then never mirrored.
+  //! Also computes the derivatives of the nodes with respect to the camera's r and θ; the grid is
+  //! then never mirrored.
   bool derivatives = false;
   //! Fills LensStation::traced_nodes and leaf_displacements, which the search for star images
   //! needs.

@@ -15,7 +15,7 @@ struct LensView {
   Spacetime spacetime;
   LensPosition position;
   Aberration observer;  //!< aberration of the observer, from aberration_to_rain()
-  double pixel;         //!< angle of a pixel on the observer's screen [rad]
+  double pixel;         //!< angle that a pixel of the observer's screen subtends [rad]
   double share = 1.0;   //!< fraction of all directions that the screen shows
 };
 

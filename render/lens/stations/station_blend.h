@@ -18,7 +18,7 @@ class StationBuffers {
   StationBuffers(Backend backend, LensStation station);
 
   //! Returns the station with its position, chart and edge. The other arrays are empty, except for
-  //! the nodes and their derivatives, if the station has derivatives.
+  //! the nodes and, if the station has them, their derivatives along the camera's r and θ.
   [[nodiscard]] const LensStation& station() const { return station_; }
 
   [[nodiscard]] bool has_derivatives() const { return !station_.nodes_along_r.empty(); }
@@ -46,19 +46,20 @@ class StationBuffers {
 //! Charts have the shadow's edge as a coordinate line: at equal (γ, s) all stations see the same
 //! part of the sky, however often light winds around the hole, so that linear blending moves the
 //! shadow and its surroundings along with the camera. The rotation of the sky between the camera
-//! positions is removed first, see frame_rotation(). Stations with derivatives are blended by a
-//! cubic. To first order they also give the lens beside the line between them, for the two eyes of
-//! a head on the path.
+//! positions is removed first, see frame_rotation(). Stations that have derivatives along the
+//! camera's r and θ are blended by a cubic. To first order they also give the lens beside the line
+//! between them, for the two eyes of a head on the path.
 class StationBlend {
  public:
   //! Uses the lens of a station for its own position.
   explicit StationBlend(std::shared_ptr<const StationBuffers> station);
 
-  //! Uses a station with derivatives for a position beside it.
+  //! Uses a station, which must have derivatives along the camera's r and θ, for a position beside
+  //! it.
   StationBlend(Backend backend, std::shared_ptr<const StationBuffers> station, const LensPosition& position);
 
-  //! Blends two stations for a position between them or, if they have derivatives, also for one
-  //! beside the line between them.
+  //! Blends two stations for a position between them or, if they have derivatives along the
+  //! camera's r and θ, also for one beside the line between them.
   StationBlend(Backend backend, std::shared_ptr<const StationBuffers> first,
                std::shared_ptr<const StationBuffers> second, const LensPosition& position);
 
@@ -75,7 +76,8 @@ class StationBlend {
   float turn_[2][3][3] = {};
   LensChart chart_{};
   std::optional<EdgeTable> edge_;
-  Buffer<float> nodes_[2];  //!< nodes extrapolated from each station with its derivatives
+  //! Nodes extrapolated from each station by its derivatives along r and θ.
+  Buffer<float> nodes_[2];
 };
 
 }  // namespace ergodome

@@ -28,8 +28,9 @@ void set_vector(std::vector<float>& nodes, std::size_t at, const glm::dvec3& v) 
   nodes[at + 2] = static_cast<float>(v.z);
 }
 
-//! Returns the derivative of the nodes from their values at two positions `distance` apart. It is 0
-//! for nodes that do not see the sky from all three positions: these two and the station's.
+//! Returns the derivative of the nodes by camera position (along r or θ), from their values at two
+//! positions `distance` apart. It is 0 for nodes that do not see the sky from all three positions:
+//! these two and the station's.
 std::vector<float> difference(const LensStation& station, const NodeTracer& trace, const LensPosition& from,
                               const LensPosition& to, double distance) {
   const LensPosition here = {station.r, station.theta};

@@ -7,7 +7,7 @@
 #include "content/trajectory/lens_station.h"
 #include "render/lens/stations/lens_position.h"
 
-// Derivatives of baked stations along r and θ.
+// Derivatives of baked stations with respect to the camera's r and θ.
 
 namespace ergodome {
 
@@ -22,8 +22,8 @@ using NodeTracer = std::function<std::vector<float>(const LensPosition& position
 //! that of a linear step of the same length.
 void add_derivatives(LensStation& station, const NodeTracer& trace);
 
-//! Returns the nodes for a camera at `offset` from a station with derivatives, extrapolated to
-//! first order and rotated by `turn`.
+//! Returns the nodes for a camera at `offset` from a station that has derivatives along the
+//! camera's r and θ, extrapolated to first order and rotated by `turn`.
 std::vector<float> moved_nodes(const LensStation& station, const LensPosition& offset, const glm::dmat3& turn);
 
 }  // namespace ergodome

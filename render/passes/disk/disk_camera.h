@@ -16,7 +16,7 @@ struct DiskGridSettings {
   double outer_r = 20.0;
   //! True: the grid also stores azimuth and time, which the cloud pattern needs.
   bool pattern = false;
-  double pixel = 1e-3;      //!< angle of a pixel on the screen [rad]
+  double pixel = 1e-3;      //!< angle that a pixel of the screen subtends [rad]
   double budget_px = 0.25;  //!< maximum error of the disk's position on the screen [px]
   //! Aberration to the rain frame (aberration_to_rain()) of the observer whose screen is meant.
   Aberration observer{};
@@ -25,7 +25,7 @@ struct DiskGridSettings {
   double min_area_px = 3.0;
   //! Maximum number of nodes; when it is reached, cells that are still inaccurate are left to rays.
   int max_nodes = 1 << 16;
-  //! True: the grid also stores the derivatives of nodes along r and θ.
+  //! True: the grid also stores the derivatives of nodes with respect to the camera's r and θ.
   bool derivatives = false;
   //! True: the grid also stores 1 / affine distance, for the stereo model `flat`.
   bool nearness = false;

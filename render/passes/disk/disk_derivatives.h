@@ -12,8 +12,8 @@ namespace ergodome {
 //! 2e-4 rad.
 void add_disk_derivatives(DiskStation& station, const DiskGridSettings& settings);
 
-//! Adds `part` times a set of nodes to `sum`. If the station has derivatives, the nodes are first
-//! extrapolated to first order to a camera at `offset` from the station.
+//! Adds `part` times a set of nodes to `sum`. If the station has derivatives along the camera's r
+//! and θ, the nodes are first extrapolated to first order to a camera at `offset` from the station.
 void add_moved_nodes(const DiskStation& station, const LensPosition& offset, int set, float part,
                      std::vector<float>& sum);
 

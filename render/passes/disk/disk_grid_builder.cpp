@@ -22,8 +22,8 @@ constexpr double disk_safety = 0.8;
 //! Ratio of a cubic's interpolation error at the middle of a side to its error at the inner check
 //! points.
 constexpr float inner_disk_share = 0.0625F / (inner_check * inner_check * (1.0F - inner_check) * (1.0F - inner_check));
-//! Maximum range within a cell of the rays' phase of oscillation through the plane (PlanePhase)
-//! [rad].
+//! Maximum range within a cell of the rays' phase of oscillation through the equatorial plane
+//! (PlanePhase) [rad].
 constexpr float widest_phase = 0.6F;
 
 //! Result of checking a cell.
@@ -34,7 +34,8 @@ struct DiskVerdict {
   float across_s = 0.0F;
   float area_px = 0.0F;
   bool unseen = false;  //!< true if the cell may contain an image that the checks miss
-  bool steep = false;   //!< true if the phase varies too much across the cell
+  //! The rays' phases (StartPhase) differ across the cell by more than `widest_phase`.
+  bool steep = false;
 };
 
 //! Builds a station level by level, so that all rays of a level are traced in one batch.

@@ -34,7 +34,7 @@ class DiskGridBuffers {
 struct DiskGridRequest {
   const EyeCamera& eye;
   const DiskAppearance& disk;
-  double pixel;           //!< angle of a pixel on the screen [rad]
+  double pixel;           //!< angle that a pixel of the screen subtends [rad]
   double budget_px;       //!< maximum error of the disk's position on the screen [px]
   double pixels;          //!< number of pixels of the picture
   bool asked;             //!< true: a grid is used even if rays are cheaper
@@ -62,7 +62,8 @@ class DiskGrids {
     double inner_r;
     double outer_r;
     bool pattern;
-    double error;  //!< error budget of the grid [rad]
+    //! Budget of the disk's displacements on the screen for which the grid was built [rad].
+    double error;
     ObserverMotion motion;
     Vector3<double> velocity;
     bool nearness;

@@ -13,8 +13,8 @@ constexpr const char* moved_disk_buffer = "disk grid at a position between stati
 
 LensPosition disk_position_of(const DiskStation& station) { return {station.cells.r, station.cells.theta}; }
 
-//! Returns how two stations are blended at a position: by a cubic if they have derivatives,
-//! otherwise linearly.
+//! Returns how two stations are blended at a position: by a cubic if they have derivatives along
+//! the camera's r and θ, otherwise linearly.
 CubicMix mix_of(const JoinedDisk& stations, const LensPosition& position) {
   const LensPosition first = disk_position_of(stations.first);
   const LensPosition second = disk_position_of(stations.second);

@@ -16,11 +16,12 @@ namespace ergodome {
 //! rotated.
 class DiskLayers {
  public:
-  //! Uses a single station; if that has derivatives, the position may be beside it.
+  //! Uses a single station. If it has derivatives along the camera's r and θ, the position may
+  //! differ from the station's.
   DiskLayers(std::shared_ptr<const DiskStation> station, const LensPosition& position);
 
-  //! Blends two stations; if they have derivatives, the position may be beside the line between
-  //! them.
+  //! Blends two stations. If they have derivatives along the camera's r and θ, the position need
+  //! not be on the line between them in (r, θ).
   DiskLayers(std::shared_ptr<const JoinedDisk> stations, const LensPosition& position);
 
   //! Returns the grid for kernels; it points into this object.

@@ -69,7 +69,8 @@ class PatchNode {
     hermite_basis(u, basis_u, slope_u);
     hermite_basis(v, basis_v, slope_v);
     for (int i = 0; i < 4; ++i) {
-      // The derivatives of nodes are per turn, those of the basis functions per cell.
+      // The derivatives of nodes are per unit of γ [turns] and s, those of the basis functions per
+      // width and height of the cell.
       const float node_u = i % 2 == 0 ? 1.0F : width_turns;
       const float node_v = i % 2 == 0 ? 1.0F : height;
       along_u_[0][i] = node_u * basis_u[i];
@@ -96,7 +97,7 @@ class PatchNode {
   }
 
  private:
-  float along_u_[2][4];  //!< values of the basis functions along γ, and their derivatives
+  float along_u_[2][4];  //!< values of the basis functions along γ at u, and their derivatives by γ
   float along_v_[2][4];
 };
 

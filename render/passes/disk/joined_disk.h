@@ -17,8 +17,8 @@ struct JoinedDisk {
 
 //! Joins the layers of two stations. A cell has the orders of both stations, and is left to rays if
 //! either station leaves it. Returns nothing if the stations differ in spin, root cells, disk
-//! edges, pattern or derivatives, if only one of them is on the equator, or if their cells differ
-//! so much that the joined tree would have too many.
+//! edges, pattern or whether they have derivatives along r and θ, if only one of them is on the
+//! equator, or if their cells differ so much that the joined tree would have too many.
 std::optional<JoinedDisk> join(const DiskStation& first, const DiskStation& second);
 
 }  // namespace ergodome

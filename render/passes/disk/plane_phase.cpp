@@ -11,11 +11,11 @@ namespace ergodome {
 
 namespace {
 
-//! Maximum angle of the camera from the plane at which phases are used [rad]. At larger angles, the
-//! band of phases is as wide as typical cells.
+//! Maximum angle of the camera from the equatorial plane at which phases are used [rad]. At larger
+//! angles, the band of phases is as wide as typical cells.
 constexpr double widest_band = 0.3;
-//! Minimum angle at which phases are used [rad]. At smaller angles, the camera is in the plane up
-//! to the rounding errors of its rays (see start_near_ray()).
+//! Minimum angle at which phases are used [rad]. At smaller angles, the camera is in the equatorial
+//! plane up to the rounding errors of its rays (see start_near_ray()).
 constexpr double narrowest_band = 4.0 * static_cast<double>(std::numeric_limits<float>::epsilon());
 
 }  // namespace

@@ -17,9 +17,9 @@ struct StartPhase {
 //! position in the chart of a disk grid.
 //!
 //! Near the equatorial plane, m_z = z_0 cos ωλ + (z_0'/ω) sin ωλ, which crosses the plane at ωλ = π
-//! - phase; here λ is the ray's parameter, and z_0 and z_0' are m_z and its derivative at the
-//! camera. For a camera close to the plane, all phases lie in a narrow band of its sky, where it
-//! sees the disk edge-on.
+//! - phase; here λ is Mino time, and z_0 and z_0' are m_z and its derivative by λ at the camera.
+//! For a camera close to the plane, all phases lie in a narrow band of its sky, where it sees the
+//! disk edge-on.
 class PlanePhase {
  public:
   PlanePhase(const CameraStation& rain, const EdgeCurve& edge, double outer_r);

@@ -98,7 +98,8 @@ void bloom_cube(Picture& picture, const Projection& projection, const BloomSetti
     const PixelCell cell = cube_face_cell(projection, face);
     const int margin = margin_px(settings, cell.width_px);
     Picture wide = widened_face(picture, projection, face, margin);
-    // Copies the face's own pixels bit for bit.
+    // Copies the face's own pixels from the picture into `wide` unchanged, because widened_face()
+    // has resampled them.
     for (int y = 0; y < cell.height_px; ++y) {
       std::copy_n(pixel_at(std::as_const(picture), cell.left_px, cell.top_px + y), 4 * cell.width_px,
                   pixel_at(wide, margin, margin + y));

@@ -18,8 +18,8 @@ constexpr double nearest_part = 0.9;
 //! infinity.
 constexpr double fastest_approach = 2.0;
 
-//! Radius outside of which neighboring rays stay neighbors [M]: circular photon orbits have radii
-//! of at most 4 M.
+//! Radius outside of which rays of adjacent pixels stay close together [M]: circular photon orbits
+//! have radii of at most 4 M.
 constexpr double parting_r = 6.0;
 
 //! Returns the maximum energy at infinity of light that the observer sees with energy 1.

@@ -64,7 +64,7 @@ class NearFieldPass : public Pass {
   std::unique_ptr<TracedObjects> objects_;  //!< set if the show has traced objects
   std::shared_ptr<Grids> grids_;
   StreamedDisk streamed_disk_;
-  Buffer<float> flat_rows_;  //!< rows in GPU memory of pictures of eyes that share a camera
+  Buffer<float> flat_rows_;  //!< picture rows in GPU memory, for eyes that share a camera
   //! Near field of the last eye that shared its head's camera, kept for the head's other eye.
   std::unique_ptr<SharedCamera> shared_camera_;
 };

@@ -113,7 +113,8 @@ class ObjectPixels {
   int width_;
   std::optional<FlatEyeSight> flat_;
   int first_row_, row_count_;
-  int top_, bottom_;    //!< first and last row, including the additional rows
+  //! First and last row of the picture that is traced, including the additional ones.
+  int top_, bottom_;
   double turn_per_px_;  //!< rotation between adjacent pixels' rays [rad]; see ObjectTileBatch
   std::vector<Seen> seen_;
   std::vector<FlatReach> reach_;  //!< reach of each pixel, for an eye of the model `flat`

@@ -11,7 +11,7 @@ namespace ergodome {
 //! nearest_of_objects. `radius`: radius_of(mesh) times the size.
 RadialRange radial_range(const TriangleMesh& mesh, const ObjectPlacement& placement, double size, double radius);
 
-//! Returns the distance of a triangle from the origin.
+//! Returns the distance of the triangle (a, b, c) from the origin.
 double distance_from_origin(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c);
 
 }  // namespace ergodome

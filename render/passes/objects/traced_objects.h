@@ -34,7 +34,8 @@ class TracedObjects {
   ObjectLayer draw(const PictureView& view, const RowBlock& rows) { return draw_rows(view, rows, {}); }
 
   //! Traces the objects in rows of the picture of an eye of the stereo model `flat`; `view` is that
-  //! of the eye's head. The layer's `time` then holds the negative nearness of what is seen.
+  //! of the eye's head. The layer's `time` then holds minus the nearness of what is seen, 1 / (its
+  //! distance from the eye in the head's flat space) [1/M].
   ObjectLayer draw(const PictureView& view, const RowBlock& rows, const FlatEyeSight& sight) {
     return draw_rows(view, rows, sight);
   }

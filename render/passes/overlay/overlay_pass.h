@@ -102,7 +102,7 @@ class OverlayPass : public Pass {
   struct SetCaption {
     std::string text;
     double letter_deg;
-    double width;  //!< width at which its lines break [rad]
+    double width;  //!< angular width at which its lines break [rad]
     std::array<double, 3> color;
     int line_px;      //!< height of a line in the image [px]
     int wished_px;    //!< height of a line that was requested; `line_px` may be smaller [px]
@@ -110,7 +110,8 @@ class OverlayPass : public Pass {
     long last_drawn;
   };
 
-  //! A caption of the last layer, with its text in the layer's language.
+  //! A caption of the layer that caption_layer() drew last, with its text in the language in which
+  //! it was drawn.
   struct LayerCaption {
     std::string text;
     DomePosition position;
@@ -157,7 +158,8 @@ class OverlayPass : public Pass {
   Buffer<std::int32_t> tile_numbers_;
   long drawn_ = 0;  //!< number of pictures drawn so far
   std::vector<LayerCaption> in_layer_;
-  std::optional<PictureTiles> layer_tiles_;  //!< tiles of the projection of the last layer
+  //! Tiles of the projection for which `layer_` was drawn.
+  std::optional<PictureTiles> layer_tiles_;
   std::shared_ptr<const CaptionLayer> layer_;
   std::vector<float> canvas_;  //!< buffer in which layers are drawn; cleared after each layer
 };

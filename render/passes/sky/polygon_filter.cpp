@@ -18,10 +18,10 @@ namespace {
 //! Maximum angle between a pixel's center and its farthest corner [rad]. Pixels with a larger one
 //! get the mean of the whole sky.
 constexpr double widest_corner = 1.25;
-//! Minimum width of outlines [texels]. Rounding errors would dominate narrower ones, which occur at
-//! caustics.
+//! Minimum width of the outline of a pixel on the sky map [texels]. Rounding errors would dominate
+//! narrower outlines, which occur at caustics.
 constexpr double min_width = 0.01;
-//! Accepted error of a side, as a fraction of the outline's width.
+//! Accepted error of a side of an outline, as a fraction of the outline's width.
 constexpr double part_off = 0.01;
 constexpr int max_splits = 12;
 

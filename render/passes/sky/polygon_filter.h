@@ -47,7 +47,7 @@ class PolygonFilter {
   struct Sum {
     glm::dvec4 light{0.0};
     double area = 0.0;
-    double tolerance = 0.0;  //!< eight times the accepted angular error of a side [rad]
+    double tolerance = 0.0;  //!< eight times the accepted angular error of an outline's side [rad]
     //! Number of columns by which the outline advances in total; a full turn if it encircles a
     //! pole.
     double turn = 0.0;

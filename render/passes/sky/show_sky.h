@@ -15,7 +15,7 @@ namespace ergodome {
 //! column sums for SkyFilter::polygon. Temperatures are stored only if the setting uses them.
 class ShowSky {
  public:
-  //! Loads the map. Throws Error if it cannot be read.
+  //! Loads the show's sky map. Throws Error if it cannot be read.
   ShowSky(const Show& show, Backend backend);
 
   //! Resamples the map for the sky rotation of `show`, which must differ from the first show only

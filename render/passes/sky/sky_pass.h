@@ -62,7 +62,7 @@ class SkyDrawing {
   [[nodiscard]] long count_unresolved() const;
 
  private:
-  //! Shades rows whose lens channels are filled.
+  //! Shades rows of the picture whose lens channels are filled.
   void shade(const RowBlock& rows, float* rgba);
   //! Filters the map over the outlines of pixels, on the CPU. For a GPU backend, copies the
   //! channels to the host, and the resulting light back.

@@ -18,8 +18,8 @@ float gain_of_shift(const BlackbodyTable& colours, float log_temperature, float 
                   read_blackbody(colours, log_temperature).x);
 }
 
-//! Returns the energy at infinity, as a function of direction, of the light that the camera at the
-//! center of an ODS eye's positions sees.
+//! Returns the energy at infinity of light that the camera at the center of an ODS eye's positions
+//! sees with energy 1, as a function of the direction in the view's axes.
 DirectionForm<double> middle_energy(const OmniEye& eye) {
   const OmniCameraOf<double> cameras = eye.cameras->exact(eye.side);
   const double* c = cameras.coefficients + omni_energy * omni_terms(cameras.degree);

@@ -61,7 +61,9 @@ class ImageObserver final : public ImageLight {
   //! The omnidirectional stereo eye, or null for a single camera. The chart of an ODS eye uses the
   //! eye's own frame, without aberration.
   std::shared_ptr<const OmniEye> cameras_;
-  DirectionForm<double> energy_;  //!< energy at infinity as a function of the direction in the chart
+  //! Energy at infinity over the energy in the chart's frame, as a function of the direction in
+  //! that frame.
+  DirectionForm<double> energy_;
   float energy_spread_;  //!< bound of the difference between `energy_` and the energies of an ODS eye's cameras
   Aberration aberration_;
 };

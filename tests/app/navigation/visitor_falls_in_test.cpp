@@ -93,7 +93,7 @@ TEST(VisitorFallsIn, ComesToRestAtTheDeepestPlaceAndSaysSo) {
 }
 
 // Free fall from rest at r0 around a hole without spin: r = r0 (1 + cos η) / 2 at the proper time
-// (r0³ / 8)^(1/2) (η + sin η).
+// (r0³ / 8)^(1/2) (η + sin η), with the parameter η from 0 to π.
 TEST(VisitorFallsIn, KnowsTheOwnTimeThatIsLeftByTheClosedForm) {
   constexpr double r0 = 4.0;
   CameraPose rests = camera_pose(show_at(0.0, r0), 0.0);

@@ -105,8 +105,8 @@ TEST(FallEnd, GivesTheVelocityBackToTheObserver) {
   EXPECT_FALSE(camera_pose(show, 60.0).velocity.has_value());
 }
 
-// A fall over the axis turns the view upside down. At the next camera key, the view has the roll
-// that the key requires.
+// A fall over the spin axis turns the view upside down. At the next camera key, the view has the
+// roll that the key requires.
 TEST(FallEnd, RightsAViewThatTheFallHasRolled) {
   const Show show =
       ending_show("velocity = { beta = 0.22, toward = [0, -1, 0] }\nuntil_s = 20\n", begin_keys + glide_keys);

@@ -34,8 +34,8 @@ struct FallCase {
   FallStart start;
 };
 
-//! Bound orbits that stay outside the horizon. Some cross the axis or pass near it; some go with
-//! the hole's rotation, some against it.
+//! Bound orbits that stay outside the horizon. Some cross the spin axis or pass near it; some go
+//! with the hole's rotation, some against it.
 std::vector<FallCase> bound_falls() {
   return {{0.0, {12.0, 1.2, 0.3, {0.05, 0.1, 0.28}}},  {0.9, {20.0, 1.22, -4.0, {0.0, 0.0, 0.13}}},
           {1.0, {14.0, 1.1, 0.0, {0.05, 0.2, 0.2}}},   {-1.0, {14.0, 1.1, 0.0, {0.0, 0.1, -0.3}}},

@@ -16,7 +16,7 @@ M x_at(double x) { return {x, 1.0, 0.0, 0.0}; }
 M y_at(double y) { return {y, 0.0, 1.0, 0.0}; }
 
 TEST(MixedDual, RationalFunctionHasItsMixedDerivative) {
-  // f = x² y³ / (x + y). Expected derivatives at (2, 3) are calculated by hand.
+  // f = x² y³ / (x + y). Expected derivatives by x and y at (2, 3) are calculated by hand.
   const M x = x_at(2.0);
   const M y = y_at(3.0);
   const M f = x * x * y * y * y / (x + y);

@@ -165,7 +165,8 @@ double first_crossing(const CameraStation& camera, const Vector3<double>& n, dou
 }
 
 TEST(DiskCrossings, AreFoundBesideTheHorizonByLongStepsAsByShortOnes) {
-  // A single long step may lead outwards, through the plane, around the hole and back to the plane.
+  // A single long step may lead outwards, through the equatorial plane, around the hole and back to
+  // this plane.
   const CameraStation camera = make_camera_station(Spacetime{0.6}, 1.802, 1.36, 0.0, ObserverMotion::rain);
   for (int i = 0; i < 16; ++i) {
     for (int j = 0; j < 16; ++j) {

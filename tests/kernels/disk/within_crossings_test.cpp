@@ -128,7 +128,7 @@ TEST(CrossingsFromWithin, AreThoseOfShellsThroughThem) {
 }
 
 //! Finds the point outside the horizon where a ray crosses the disk's plane, on the paths that are
-//! used to search for objects. Computes azimuth and delay where a path crosses the plane.
+//! used to search for objects. Computes azimuth and delay where a path crosses that plane.
 std::optional<OuterPoint> path_crossing(const ReferenceCrossing& row) {
   std::optional<OuterPoint> found;
   int order = 0;
@@ -153,8 +153,8 @@ TEST(CrossingsFromWithin, AreOnThePathsOfObjects) {
   }
 }
 
-//! Returns the first crossing of the plane. Azimuth and time are those of ingoing Kerr coordinates
-//! at the camera. r is 0 if there is no crossing.
+//! Returns the first crossing of the disk's plane. Azimuth and time are those of ingoing Kerr
+//! coordinates at the camera. r is 0 if there is no crossing.
 OuterPoint crossing_by_ingoing_clock(double spin, double r, const Vector3<double>& n) {
   const CameraStation camera = make_camera_station(Spacetime{spin}, r, 1.2, 0.0, ObserverMotion::rain);
   EquatorialCrossing<double> found[crossing_orders];
@@ -184,7 +184,8 @@ TEST(CrossingsFromWithin, GoOnFromOutsideWithTheLagOfTheCamerasTime) {
   }
 }
 
-//! Returns the first crossing of the plane, computed in precision S; u is 0 if there is none.
+//! Returns the first crossing of the disk's plane, computed in precision S; u is 0 if there is
+//! none.
 template <class S>
 EquatorialCrossing<S> first_crossing_in(const CameraStation& station, const Vector3<double>& n, S tolerance) {
   const CameraStationOf<S> camera = converted_station<S>(station);

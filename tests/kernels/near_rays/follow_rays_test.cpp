@@ -163,8 +163,8 @@ TEST(FollowedRays, TakeMoreStepsWhereMoreIsAsked) {
 }
 
 TEST(FollowedRays, AreSlowNextToThePolesInPolarAnglesAlone) {
-  // The ray starts straight upwards from the middle of the hole. Its plane contains the axis, which
-  // it passes on its way to the far side of the shell.
+  // The ray starts straight upwards from the middle of the hole. Its plane contains the spin axis,
+  // which it passes on its way to the far side of the shell.
   const Vector3<double> over_the_pole = beside_the_middle(0.36, 1e-4);
   const Vector3<double> beside = beside_the_middle(0.1, 0.34);
   const double polar = follow(over_the_pole, 1e-5, by_baseline).steps / follow(beside, 1e-5, by_baseline).steps;

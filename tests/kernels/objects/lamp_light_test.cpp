@@ -104,7 +104,7 @@ TEST(LampLight, FarFromTheHoleFadesWithTheSquareOfTheDistance) {
 }
 
 //! Returns the number of photons that enter the sphere of radius r, from a lamp of strength 1 on
-//! the axis, relative to the number that the lamp emits per unit of solid angle. Sums the
+//! the spin axis, relative to the number that the lamp emits per unit of solid angle. Sums the
 //! illuminance of the sphere's outside, per unit of time and area of a zero-angular-momentum
 //! observer.
 double photons_through_sphere(double spin, double r, double lamp_r) {

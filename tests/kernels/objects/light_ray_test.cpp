@@ -77,8 +77,10 @@ TEST(LightRay, TakesAsLongBackwardsAboutAHoleThatSpinsTheOtherWay) {
   }
 }
 
-//! Returns the spread of a bundle without spin, r² r_L² b |du/dφ| |du_L/dφ| sinψ |dψ/db|. The
-//! derivative dψ/db is computed by differences of the closed form.
+//! Returns the spread of a bundle from a lamp around a hole without spin, r² r_L² b |du/dφ|
+//! |du_L/dφ| sinψ |dψ/db|: r is the radius of the lit point, r_L that of the lamp, u and u_L are
+//! their inverses, b is the ray's impact parameter, and ψ the angle that it sweeps about the hole.
+//! The derivative dψ/db is computed by differences of the closed form.
 double closed_spread(const LitPoint& at, int order) {
   const ConnectionPlane plane = connection_plane(at.lamp, at.point);
   const double angle = image_angle(plane.phi, order);

@@ -258,7 +258,7 @@ TEST(ShellCrossings, OfACameraOnAShellAreNoneWhereItStands) {
 }
 
 TEST(ShellCrossings, OnTheAxisFollowTheCameraAsItComesThere) {
-  // A camera on the axis must see the same as one slightly off the axis, without a rotation of
+  // A camera on the spin axis must see the same as one slightly off it, without a rotation of
   // azimuth, because both are at φ = 0.
   const Vector3<double> n = unit(Vector3<double>{-1.0, 0.4, 0.2});
   const auto on = cross(make_camera_station(Spacetime{0.9}, 10.0, 0.0, 0.0, ObserverMotion::zamo), n, {6.0, 14.0});

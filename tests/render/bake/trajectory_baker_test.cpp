@@ -100,8 +100,8 @@ TEST_P(TrajectoryBakerWith, BlendsHoldTheBudgetAtAnyTimeOfTheShow) {
 }
 
 TEST_F(TrajectoryBaker, DividesAStretchAtWhoseEndACausticRunsThroughTheSamples) {
-  // Near the axis, the image of the sky behind the hole is a ring. Tiny distances on the sky are
-  // many pixels along this ring.
+  // Near the spin axis, the image of the sky behind the hole is a ring. Tiny distances on the sky
+  // are many pixels along this ring.
   Show show = approach();
   show.duration_s = 4.0;
   show.spin = 0.3;

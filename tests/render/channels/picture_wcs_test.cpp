@@ -16,7 +16,7 @@ namespace {
 
 struct NativePosition {
   double phi;
-  double theta;  // [rad]
+  double theta;  // native latitude [rad]
 };
 
 //! Returns the native latitude in a zenithal projection at the distance R = `radius_deg` from its

@@ -12,7 +12,7 @@ namespace ergodome {
 enum ObjectUniform : int {
   //! Mat3: from the mesh's coordinates to the rest frame, including the size.
   uniform_model = 0,
-  uniform_position = 1,  //!< vec3: position of the mesh's origin [M]
+  uniform_position = 1,  //!< vec3: position of the mesh's origin relative to the hole [M]
   uniform_turn = 2,      //!< mat3: uniform_model without the size
   uniform_order = 3,     //!< int: image order, from 1
   //! Vec4: minimum and maximum of 1/r in the table, the observer's r, √(1 - 2/r) at the observer.

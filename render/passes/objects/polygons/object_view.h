@@ -8,7 +8,7 @@ namespace ergodome {
 //! Parameters of an eye for shaders: the rest frame (e_r, e_θ, e_φ) at its position, and the
 //! transformations from that frame to its view.
 struct ObjectView {
-  double r;                      //!< radius of the eye [M]
+  double r;                      //!< the eye's radius coordinate [M]
   Vector3<double> axes[3];       //!< e_r, e_θ, e_φ in pseudo-Cartesian components
   double view_from_frame[3][3];  //!< rotation from `axes` to the view's axes, row by row
   //! Rotation to the axes of a cube face; identity for other projections.

@@ -16,7 +16,8 @@ inline constexpr int omni_groups = 5;
 struct OmniView {
   //! Offset, convergence and fade of the eye; its polynomials are not used.
   OmniCameraOf<float> eye;
-  int degree;                       //!< degree of the polynomials in `coefficients`
+  //! Degree in the eye's position of the polynomials of `coefficients`.
+  int degree;
   std::vector<float> coefficients;  //!< omni_groups of four per term (render/eyes/disk_fit.h)
   RadialRange radii;                //!< range of the radii that the eye reaches as it turns [M]
 };

@@ -38,7 +38,7 @@ class ErrorFunction {
   static constexpr int steps = 128;
   struct Entry {
     float value;
-    float slope;  //!< derivative times the distance of the nodes
+    float slope;  //!< derivative of the value, per distance between table entries
   };
   std::array<Entry, steps + 1> entries_{};
 };

@@ -9,8 +9,8 @@ namespace ergodome {
 
 namespace {
 
-//! Error of the rays as a displacement on the screen. The relative error of a polygon's area is a
-//! few times as large.
+//! Error of the rays as a displacement of directions on the screen. The relative error of a
+//! polygon's area is a few times as large.
 constexpr double tolerance_px = 1e-5;
 constexpr int corner_step_limit = 400;
 

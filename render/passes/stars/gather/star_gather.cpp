@@ -200,7 +200,8 @@ GatheredStars gather_stars(const StarField& field, const StarTree& tree, const B
   for (int first_row = 0; first_row < projection.height_px; first_row += block_rows) {
     const int row_count = std::min(block_rows, projection.height_px - first_row);
     corners.trace(first_row, row_count);
-    // Rows are kept in order, independent of the threads.
+    // The stars of each row of pixels are collected separately, so that their order does not depend
+    // on the threads.
     std::vector<GatheredStars> rows(static_cast<std::size_t>(row_count));
     parallel_for(row_count, 1, [&](int begin, int end) {
       std::vector<int> room;

@@ -48,7 +48,7 @@ inline constexpr double image_tolerance_px = 0.005;
 struct ImageSearch {
   const StarEye& eye;
   StarChartOf<double> chart;  //!< lens chart of the eye's position, if there is one
-  double pixel;               //!< angle of a pixel [rad]
+  double pixel;               //!< angle that a pixel of the picture subtends [rad]
   //! Returns the ratio between a candidate's luminance, according to its last ray, and the required
   //! minimum. If not set, no candidate is dropped as too faint.
   std::function<double(const StarCandidate&)> brightness;

@@ -14,8 +14,8 @@ inline constexpr auto host_data = [](const auto& values) { return values.data();
 //! Errors of a leaf's interpolating patch at the rays that checked the leaf, as fractions of the
 //! leaf's sides.
 struct LeafErrors {
-  float displaced;  //!< largest displacement
-  float left;       //!< largest remaining error after the correction
+  float displaced;  //!< largest displacement of a direction in the chart
+  float left;       //!< largest displacement that remains after the correction
 };
 
 //! A lens grid corrected by its check rays: star images found with cubic patches are moved to the

@@ -14,7 +14,7 @@ namespace {
 //! Relative margin of a frustum around its patch: images are found slightly beyond the borders of
 //! patches.
 constexpr double slack = 0.01;
-//! Minimum margin [rad].
+//! Minimum angular margin of a frustum around its patch [rad].
 constexpr double min_slack = 1e-6;
 
 //! Returns the direction perpendicular to `axis` in which a patch is longer: along u or along v.

@@ -7,7 +7,8 @@ namespace ergodome {
 //! Part of the sky bounded by planes through its center: directions d with dot(inward[i], d) >= 0
 //! for all i.
 struct SkyFrustum {
-  Vector3<double> inward[5];  //!< unit vectors: four sides, then the axis
+  //! Unit vectors: inward normals of the four sides, then the frustum's axis.
+  Vector3<double> inward[5];
 };
 
 //! Returns the coordinate frame of a patch whose center is in the direction of the unit vector

@@ -21,8 +21,8 @@ namespace {
 //! their exact positions, and the grid costs less than rays for these images would. The other
 //! images are refined by rays.
 constexpr double grid_budget_px = 0.01;
-//! Minimum error budget of star grids [rad]: below it, the rounding errors of single-precision rays
-//! dominate.
+//! Minimum budget of displacements on the screen for star grids [rad]: below it, the rounding
+//! errors of single-precision rays dominate.
 constexpr double float_budget = 1.2e-5;
 //! Range of the minimum cell area [px²]. Cells below the minimum are not split, and rays start from
 //! the interpolation in them. At 5 M from a hole of spin 0.999, finer cells found no further images

@@ -14,8 +14,9 @@ namespace ergodome {
 
 //! Selects which images to find, and how accurately.
 struct StarSettings {
-  double pixel = 3e-3;    //!< angle of a pixel on the screen [rad]
-  double grid_px = 0.01;  //!< maximum error of the grid next to critical curves [px]
+  double pixel = 3e-3;  //!< angle that a pixel of the screen subtends [rad]
+  //! Maximum displacement on the screen by the grid next to critical curves [px].
+  double grid_px = 0.01;
   //! Grid cells with a smaller area are not split further [px²], see min_star_cell_px().
   double min_cell_px = 2.0;
   float faintest = 1e-11F;    //!< images below this illuminance are omitted [lx]

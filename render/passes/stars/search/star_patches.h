@@ -20,9 +20,10 @@ class ImageLight {
   ImageLight(const ImageLight&) = delete;
   ImageLight& operator=(const ImageLight&) = delete;
 
-  //! observer() returns the aberration between the observer's frame and the rain frame
-  //! (aberration_to_rain()), energy() the energy at infinity as a function of the direction in the
-  //! rain frame.
+  //! observer() returns the aberration from the observer's frame to that of the lens chart: the
+  //! rain frame (aberration_to_rain()), or for an ODS eye the observer's own. energy() returns a
+  //! photon's energy at infinity over its energy in the chart's frame, as a function of the
+  //! direction in that frame.
   [[nodiscard]] virtual AberrationOf<float> observer() const = 0;
   [[nodiscard]] virtual DirectionForm<float> energy() const = 0;
 
@@ -34,8 +35,9 @@ class ImageLight {
 
 //! Accuracy of a lens grid that is to be inverted.
 struct GridExactness {
-  double pixel;       //!< angle of the pixel in which the grid's errors are given [rad]
-  double fold_error;  //!< error of the grid next to critical curves, on the camera's sky [rad]
+  double pixel;  //!< angle of the pixel in which the grid's errors are given [rad]
+  //! Maximum displacement on the camera's sky by the grid's errors next to critical curves [rad].
+  double fold_error;
 };
 
 //! Memory for patches that is reused at the next camera position. A moving camera computes patches

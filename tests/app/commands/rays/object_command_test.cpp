@@ -27,7 +27,7 @@ TEST_F(CommandLine, TraceObjectsListsTheRaysThatMeetOne) {
   EXPECT_EQ(rows[0].at("id"), "middle");
   EXPECT_EQ(rows[0].at("object"), "0");
   EXPECT_NEAR(std::stod(rows[0].at("x")), 14.0, 0.02);
-  // Along the axis, the travel time of light is the difference of the tortoise coordinates.
+  // Along the spin axis, the travel time of light is the difference of the tortoise coordinates.
   const auto tortoise = [](double r) { return r + 2.0 * std::log(0.5 * r - 1.0); };
   EXPECT_NEAR(std::stod(rows[0].at("delay")), tortoise(30.0) - tortoise(std::stod(rows[0].at("x"))), 1e-9);
 }

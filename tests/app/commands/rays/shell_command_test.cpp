@@ -11,9 +11,9 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST_F(CommandLine, TraceShellListsBothCrossingsOfLightThatTurns) {
-  // Without spin, light stays in a plane through the hole. Here the plane contains the axis: θ goes
-  // from pole to pole, and the outward path is the mirror image of the inward path about the
-  // turning point.
+  // Without spin, light stays in a plane through the hole. Here the plane contains the coordinates'
+  // axis: θ goes from pole to pole, and the outward path is the mirror image of the inward path
+  // about the turning point.
   write("rays.csv", "a,r,theta,observer,n_r,n_theta,n_phi\n0,20,1.5707963267948966,static,-0.8,0,0.6\n");
   ASSERT_EQ(run("trace --shell 15 --rays rays.csv --out out.csv"), 0) << output_;
   const auto rows = read_csv(folder_ / "out.csv");

@@ -148,8 +148,8 @@ TEST(FlatLayers, AreMetWhereALineMeetsAPlane) {
     EXPECT_NEAR(found.x.value, n.x, 1e-12);
     EXPECT_NEAR(found.y.value, n.y, 1e-12);
     EXPECT_NEAR(found.z.value, n.z, 1e-12);
-    // The derivative of the direction across the picture must agree with differences of the
-    // intersection.
+    // The derivative of the direction along its second axis must agree with differences between
+    // intersections.
     constexpr double step = 1e-6;
     const Vector3<double> aside =
         unit({m.x + step * direction.x.along_y, m.y + step * direction.y.along_y, m.z + step * direction.z.along_y});

@@ -128,7 +128,7 @@ TEST(Taylor, GoesContinuouslyToSchwarzschildAsTheSpinGoesToZero) {
 }
 
 TEST(Taylor, IsSmoothAcrossTheSpinAxis) {
-  // The sky direction of a ray that crosses the axis (L = 0) must be between those of its
+  // The sky direction of a ray that crosses the spin axis (L = 0) must be between those of its
   // neighbors. In polar angles, it would jump by π.
   for (const double theta : {1e-9, 0.3, pi / 2}) {
     const CameraStation camera = make_camera_station(Spacetime{0.9}, 8.0, theta, 0.0, ObserverMotion::zamo);

@@ -68,8 +68,8 @@ TEST(TimelikeOrbit, CircularOrbitsTurnAtKeplersFrequency) {
   }
 }
 
-//! Returns the radius after 3,000 M of a body that starts at radius r. Its speed is that of a
-//! circular orbit, reduced by one part in 10,000.
+//! Returns the radius, after 3,000 M of proper time, of a body that starts at radius r. Its speed
+//! is that of a circular orbit, reduced by one part in 10,000.
 double radius_of_slowed_orbit(double spin, double r) {
   const Vector3<double> circular = observer_velocity(ObserverMotion::geodesic, Spacetime{spin}, r, pi / 2, {});
   OrbitState orbit = make_orbit(Spacetime{spin}, r, pi / 2, 0.0, 0.9999 * circular);

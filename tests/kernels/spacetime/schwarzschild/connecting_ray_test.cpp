@@ -103,8 +103,8 @@ TEST(ConnectingRay, RatesAreThoseOfTheOrbitsEquation) {
 }
 
 TEST(ConnectingRay, TravelTimeChangesByTheImpactParameterAndTheDirection) {
-  // If the end of a ray at the observer moves, its travel time changes by dt/dφ = b and dt/dr* =
-  // -cos ξ.
+  // If the end of a ray at the observer moves, its travel time changes by dt/dφ = b, the impact
+  // parameter, and dt/dr* = -cos ξ, where r* is the tortoise coordinate.
   for (const double r_observer : {2.01, 2.7, 3.0, 3.3, 20.0, 1e4}) {
     for (const double r : {2.02, 2.9, 3.01, 6.0, 50.0}) {
       for (const double phi : {0.3, 1.5, pi, 4.5, 6.2}) {
@@ -141,7 +141,8 @@ TEST(ConnectingRay, RadialRaysTakeTheTortoiseDistance) {
 }
 
 TEST(ConnectingRay, FarAwayAPointBehindTheHoleIsEinsteinsRing) {
-  // Angular radius of Einstein's ring: θ² = 4 M D_LS / (D_L D_S). The next order would add a
+  // Angular radius of Einstein's ring: θ² = 4 M D_LS / (D_L D_S), with the distances D_L from the
+  // observer to the hole, D_S to the source, and D_LS between both. The next order would add a
   // relative 1e-4 here.
   const double r_observer = 1e8;
   const double r = 3e8;

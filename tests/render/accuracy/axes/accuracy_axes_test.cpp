@@ -73,8 +73,8 @@ TEST(AccuracyAxes, OfAMovingCameraHaveStationsAndThoseFartherApartMissByMore) {
   const auto axis = measure_stations(show, accuracy_moments(show, settings), settings, {});
   ASSERT_TRUE(axis);
   ASSERT_EQ(axis->choices.size(), 10U);
-  // The first five choices have derivatives, the others do not. In each group, the distance between
-  // stations is halved four times.
+  // In the first five choices, stations have derivatives along r and θ, the others do not. In each
+  // group, the distance between stations is halved four times.
   EXPECT_GT(axis->choices[5].error.p99, 3.0 * axis->choices[7].error.p99);
   EXPECT_GT(axis->choices[5].error.p99, axis->choices[0].error.p99);
   EXPECT_LT(axis->choices[0].disk_bytes.value(), axis->choices[2].disk_bytes.value());

@@ -35,8 +35,9 @@ std::shared_ptr<const StationBuffers> station_at(const Position& p) {
 //! Covers the whole sky of the camera by an equirectangular picture. Verbraeck & Eisemann (section
 //! 5.2) define this measure: squared distance in (θ, φ) on the sky.
 struct Comparison {
-  double mean_square = 0.0;    //!< [rad²]
-  std::vector<double> angles;  //!< angles between sky directions, in ascending order [rad]
+  double mean_square = 0.0;  //!< mean square of that distance [rad²]
+  //! Angles between the blended and the traced sky directions, in ascending order [rad].
+  std::vector<double> angles;
 };
 
 Comparison compare(const Position& first, const Position& second) {
@@ -128,8 +129,8 @@ TEST(StationBlend, ErrorFallsWithTheSquareOfTheDistanceOfTheStations) {
   EXPECT_NEAR(median(0.8) / median(0.4), 4.0, 0.6);
 }
 
-//! Returns the 99th percentile of the error [px of a 4096² dome] of a station with derivatives, for
-//! an eye that is displaced from it by (dr, dθ).
+//! Returns the 99th percentile of the error [px of a 4096² dome] of a station with derivatives
+//! along r and θ, for an eye that is displaced from it by (dr, dθ).
 double error_beside(double dr, double dtheta) {
   const Position here = {6.0, 1.2};
   GridSettings settings;

@@ -126,8 +126,8 @@ TEST(DiskGridPictures, AreThoseOfRays) {
     const TwoPictures pictures = draw_both(at);
     const std::vector<float> found = differences(pictures);
     ASSERT_GT(found.size(), pictured_px * pictured_px / 22U);
-    // The coverage of pixels at the edges of the disk follows from the derivative of 1/r at the
-    // center of the pixel. Where the derivative changes fast, the two coverages differ slightly.
+    // The coverage of pixels at the edges of the disk follows from the derivative of 1/r per pixel
+    // at the center of the pixel. Where it changes fast, the two coverages differ slightly.
     EXPECT_LT(found[found.size() / 2], 1e-3F);
     EXPECT_LT(found[found.size() * 99 / 100], 0.04F);
     EXPECT_LT(found[found.size() * 999 / 1000], 0.12F);

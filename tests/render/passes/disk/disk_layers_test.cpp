@@ -190,8 +190,8 @@ TEST(DiskLayers, OfCamerasInThePlaneAreBlendedAlongIt) {
 }
 
 TEST(DiskLayers, DoNotReachThroughThePlane) {
-  // Light that starts downwards soon crosses the plane if the camera is above the plane. If the
-  // camera is below it, this light crosses the plane only half a turn later. So the crossings of
+  // Light that starts downwards soon crosses the disk's plane if the camera is above it. If the
+  // camera is below the plane, this light crosses it only half a turn later. So the crossings of
   // all orders are different on both sides.
   const auto stations = joined({20.0, 0.5 * pi - 0.02}, {20.0, 0.5 * pi + 0.02});
   EXPECT_GT(error_between(stations, {20.0, 0.5 * pi - 0.01}), 10.0 * budget_px);

@@ -49,8 +49,8 @@ TEST(DiskPattern, FollowsTheFlow) {
               disk_pattern(later, 9.0F, 1.0F, rotation, 15.0F, 0.0F), 1e-4F);
 }
 
-//! Lets the camera of a show fall in the rain frame along the axis, from r = 20 to `least_r`, at 1
-//! M of proper time per second.
+//! Lets the camera of a show fall in the rain frame along the spin axis, from r = 20 to `least_r`,
+//! at 1 M of proper time per second.
 void let_rain(Show& show, double least_r) {
   constexpr double from_r = 20.0;
   FallSettings settings;
@@ -62,8 +62,8 @@ void let_rain(Show& show, double least_r) {
                                                        settings, nullptr, 80.0);
 }
 
-//! Light of the disk that a camera on the axis sees in one direction: the first crossing of the
-//! disk.
+//! Light of the disk that a camera on the spin axis sees in one direction: the first crossing of
+//! the disk.
 struct LightOfDisk {
   double r;
   //! Travel time of the light [M].
@@ -81,8 +81,8 @@ LightOfDisk light_of_disk(const CameraStation& camera, double from_axis) {
   return {light.r, found[0].delay, 1.0 / circular_frequency(camera.spin, light)};
 }
 
-//! Finds the light that comes from radius r of the disk. Bisects the angle from the axis, between 0
-//! and π, at which the camera sees it.
+//! Finds the light that comes from radius r of the disk. Bisects the angle from the spin axis,
+//! between 0 and π, at which the camera sees it.
 LightOfDisk light_from(const CameraStation& camera, double r) {
   double outer = 0.0;
   double inner = pi;
@@ -95,8 +95,8 @@ LightOfDisk light_from(const CameraStation& camera, double r) {
 }
 
 TEST(DiskPattern, RunsFastOrSlowByTheShiftOfItsLightForWhoFallsIn) {
-  // The frequency ratio g is the rate at which the camera sees the proper time of the disk pass,
-  // relative to its own.
+  // The frequency ratio g is the rate at which the disk's proper time passes as the camera sees it,
+  // per unit of the camera's own proper time.
   constexpr double outward_r = 9.0;
   constexpr double between_s = 0.02;
   for (const double spin : {0.0, 0.7}) {

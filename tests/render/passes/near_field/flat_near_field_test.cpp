@@ -119,8 +119,8 @@ bool is_light(const Picture& picture) {
 }
 
 TEST(FlatNearField, IsDrawnWhereverTheCameraIs) {
-  // Cameras near the plane, inside the disk's outer edge, on the axis, and far away. For one of
-  // them, the baseline is larger than the distance to the plane.
+  // Cameras near the disk's plane, inside the disk's outer edge, on the spin axis, and far away.
+  // For one of them, the baseline is larger than the distance to the disk's plane.
   const auto cameras =
       std::vector<std::string>{"[[camera.key]]\nr = 24\ntheta_deg = 90\n[hole]\nspin = 0.9\n",
                                "[[camera.key]]\nr = 24\ntheta_deg = 89.99\nroll_deg = 90\n[hole]\nspin = 1\n",

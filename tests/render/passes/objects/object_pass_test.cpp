@@ -36,7 +36,8 @@ Projection fisheye(LensLaw law, double field_of_view_deg, double tilt_deg) {
 }
 
 TEST_F(ObjectPasses, EveryProjectionHasASphereWhereItHasItsDirection) {
-  // The sphere is next to the observer, so its second image is far away and small.
+  // The sphere is next to the observer. Its second image, whose light goes around the hole, appears
+  // near the hole and is too small to move the center of the light.
   const Vector3<double> position{36.0, 3.0, 4.0};
   const EyeCamera eye = eye_looking(pass_r_observer, {-0.6, 0.0, 0.8});
   const Vector3<double> expected = in_view(eye, closed_form_direction(pass_r_observer, position, 1));

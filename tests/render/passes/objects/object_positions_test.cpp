@@ -143,8 +143,9 @@ TEST_F(ObjectPositions, ASphereExactlyBehindIsARingOfTheRightRadii) {
   constexpr double r = 10.0;
   constexpr double size = 0.5;
   const Projection projection = make_pinhole_projection(512, 512, 25.0 * one_degree);
-  // The sphere is slightly off the axis, so that no corner of a triangle is exactly on it. The
-  // image of a point on the axis is a ring, so its triangles would be left out.
+  // The sphere is slightly off the line through observer and hole, so that no corner of a triangle
+  // is exactly on that line. The image of a point on it is a ring, so its triangles would be left
+  // out.
   ObjectSettings sphere = small_sphere({-r, 0.0, 1e-3}, size);
   sphere.tessellation.maximum = 64.0;
   const auto drawn = draw(show_of({sphere}), eye_looking(positions_r_observer, to_hole), projection);

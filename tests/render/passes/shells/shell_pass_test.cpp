@@ -110,7 +110,7 @@ std::vector<Met> met(const EyeCamera& eye, const Projection& projection, int x, 
 }
 
 TEST(ShellPass, LetsThroughWhatEachCrossingLeaves) {
-  // Cameras outside all shells and between them, near the axis and the equator.
+  // Cameras outside all shells and between them, near the spin axis and the equator.
   for (const double camera_r : {30.0, 9.0, 4.0}) {
     for (const double theta : {0.0, 0.4, 1.5}) {
       const std::vector<double> radii = {12.0, 6.0, 1.5};

@@ -29,7 +29,8 @@ TEST(TemperatureFit, BlackbodiesGetTheirOwnTemperature) {
 TEST(TemperatureFit, IlluminantsHaveTheirPublishedTemperatures) {
   const TemperatureFit fit(BlackbodyColours(Backend::cpu).view());
   // The white of sRGB is D65, with a correlated temperature of 6504 K. It is about 0.003 off the
-  // Planckian locus; the approximation of the color matching functions adds to that.
+  // Planckian locus in the (u, v) chromaticities of CIE 1960; the approximation of the color
+  // matching functions adds to that.
   EXPECT_NEAR(std::exp(fit.log_temperature(glm::vec3(1.0F))), 6504.0F, 60.0F);
   // The illuminant D50 has a correlated temperature of 5003 K.
   const Vector3<float> d50 = linear_srgb(Vector3<float>{0.9642F, 1.0F, 0.8251F});

@@ -222,8 +222,9 @@ TEST(StarImage, OnACausticIsNoBrighterThanTheRingOfItsDisk) {
 }
 
 TEST(StarImage, BesideACausticIsOneOfTwo) {
-  // Next to the axis behind the hole, a star has two images with nearly equal magnifications. The
-  // magnification of each follows from the derivative of the lens.
+  // A star next to the point of the sky exactly behind the hole has two images with nearly equal
+  // magnifications. The magnification of each follows from the derivative of the sky direction by
+  // the view direction.
   const EyeCamera eye = eye_at_position({0.0, 8.0, pi / 2, 0.0, ObserverMotion::fixed});
   for (const double beside : {1e-6, 1e-5, 1e-4, 1e-3}) {
     StarCatalogue catalogue;
@@ -234,7 +235,7 @@ TEST(StarImage, BesideACausticIsOneOfTwo) {
       total += std::abs(static_cast<double>(image.magnification));
     }
     // ring_magnification() with `beside` as the radius of a disk is twice the total magnification
-    // of a point at this distance from the axis.
+    // of a point at this angle from the point of the sky exactly behind the hole.
     const double exact = 0.5 * ring_magnification(camera_of(eye), beside);
     // The tolerance includes the relative rounding error of a ray at such a small distance.
     EXPECT_NEAR(total / exact, 1.0, 0.02 + 3e-8 / beside) << beside;

@@ -33,7 +33,7 @@ class LightCurve : public testing::Test {
   }
 
   //! Returns the star images in a frame. The grid is the same for all frames, because the camera
-  //! only moves around the axis.
+  //! only moves around the spin axis.
   std::vector<StarImage> images_of_frame(int frame) {
     eye_.phi = 2.0 * pi * frame / frames;
     return find_star_images(field_, colours().view(), eye_, station_,

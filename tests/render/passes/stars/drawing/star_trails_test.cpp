@@ -14,8 +14,8 @@ namespace {
 
 using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
 
-//! Returns positions of a camera while a shutter is open. The camera moves around the axis by 0.05
-//! rad to both sides of a position, and slightly inwards.
+//! Returns positions of a camera while a shutter is open. The camera moves around the spin axis by
+//! 0.05 rad to both sides of a position, and slightly inwards.
 Shutter orbit_about(const EyeCamera& eye) {
   Shutter shutter;
   for (int i = -4; i <= 4; ++i) {
