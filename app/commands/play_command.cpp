@@ -285,6 +285,12 @@ void add_headset_options(CLI::App& command, PlayArguments& arguments, IgnoredOpt
                   "length in the scene of one meter in the room (default: the show's) [M]")
       ->check(number_between(1e-9, 1e6))
       ->needs(headset);
+  command
+      .add_flag("!--no-haptics", arguments.options.haptics,
+                "do not let controllers vibrate at the photon orbits and the horizon")
+      ->needs(headset);
+  command.add_flag("--guide", arguments.options.guide,
+                   "visitors can only move forward and back; operators use the status page or OSC");
   ignored.add("with --headset, which shows the whole sky", [&arguments] { return arguments.headset; },
               {"--setup", "--projection", "--stereo"});
 }

@@ -45,7 +45,7 @@ class SessionPictures {
   PictureFlow flow_;
   std::optional<PlayBudget> budget_;
   std::optional<ImageSize> window_;  //!< last size of the window
-  //! What of a viewer's head determines pictures.
+  //! The parts of a viewer's head that pictures depend on.
   struct PictureHead {
     explicit PictureHead(const ViewerHead& head)
         : turn(head.turn), offset_m(head.offset_m), eye_distance_m(head.eye_distance_m) {}

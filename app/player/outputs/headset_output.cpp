@@ -164,6 +164,28 @@ void HeadsetOutput::turn_viewer(double rate) {
   snap_steps_ += snap_turns_.turn(rate);
 }
 
+std::optional<HeadsetHands> HeadsetOutput::hands() {
+  HeadsetHands hands;
+  if (session_) {
+    with_session([&](HeadsetSession& session) { hands = session.hands(); });
+  }
+  const bool menu = hands[0].menu || hands[1].menu;
+  if (menu && !std::exchange(menu_held_, menu)) {
+    recenter();
+  }
+  menu_held_ = menu;
+  return hands;
+}
+
+void HeadsetOutput::pulse(double seconds, double strength) {
+  if (session_) {
+    with_session([&](HeadsetSession& session) {
+      session.pulse(0, seconds, strength);
+      session.pulse(1, seconds, strength);
+    });
+  }
+}
+
 void HeadsetOutput::follow_head() {
   located_ = true;
   if (!centered_) {
@@ -227,12 +249,12 @@ void HeadsetOutput::draw_mirror() {
 void HeadsetOutput::show() {
   const double now_s = monotonic_s();
   const double stops = std::log2(std::max(panorama_.tone().gain, 1e-30F));
-  comfort_state_ = comfort_.advance(now_s - advanced_s_,
-                                    {.speed = motion_.speed(now_s),
-                                     .cut = motion_.take_cut(),
-                                     .snap_turn = static_cast<double>(std::exchange(snap_steps_, 0)),
-                                     .smooth_turn = turn_rate_,
-                                     .exposure_stops = stops});
+  comfort_state_ =
+      comfort_.advance(now_s - advanced_s_, {.speed = motion_.speed(now_s),
+                                             .cut = motion_.take_cut(),
+                                             .snap_turn = static_cast<double>(std::exchange(snap_steps_, 0)),
+                                             .smooth_turn = turn_rate_,
+                                             .exposure_stops = stops});
   advanced_s_ = now_s;
   if (frame_ && session_) {
     draw_frame();

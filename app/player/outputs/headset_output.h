@@ -45,6 +45,8 @@ class HeadsetOutput : public DisplayOutput {
   void set_text(PanelPosition position, const std::string& text) override;
   void save_screenshot(const std::string& file) override;
   void turn_viewer(double rate) override;
+  [[nodiscard]] std::optional<HeadsetHands> hands() override;
+  void pulse(double seconds, double strength) override;
   [[nodiscard]] bool attended() const override;
   [[nodiscard]] std::string state_text() const override;
 
@@ -77,6 +79,7 @@ class HeadsetOutput : public DisplayOutput {
   HeadsetEyes eyes_;                   //!< eyes as last located
   bool located_ = false;               //!< whether the eyes were ever located
   bool centered_ = false;
+  bool menu_held_ = false;
   glm::dvec3 middle_m_{0.0};  //!< position of the head when it was centered
   double facing_ = 0.0;       //!< its direction, to the left of the room's front [rad]
   double turn_step_ = 0.0;    //!< direction between the eyes in the last wish, in level axes [rad]

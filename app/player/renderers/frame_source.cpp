@@ -11,9 +11,9 @@
 #include "app/player/renderers/picture_error.h"
 #include "app/player/renderers/picture_light.h"
 #include "kernels/projection/make_projection.h"
-#include "render/present/headset/head_motion.h"
 #include "render/output/color_bar.h"
 #include "render/output/stereo_layout.h"
+#include "render/present/headset/head_motion.h"
 
 namespace ergodome {
 
@@ -83,7 +83,7 @@ void set_up(ShowRenderer& renderer, const PictureRequest& request) {
   overlays.set_extra(request.captions, request.captions_opacity);
 }
 
-//! Returns the pose of a viewer's head at an observer. `scale_per_m`: length in the scene of a metre
+//! Returns the pose of a viewer's head at an observer. `scale_per_m`: length in the scene of a meter
 //! in the viewer's room [M].
 CameraPose head_pose(const Show& show, const CameraPose& observer, const ViewerHead& head, double scale_per_m) {
   CameraPose pose = observer;

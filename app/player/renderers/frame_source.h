@@ -24,7 +24,7 @@ struct PictureRequest {
   double captions_opacity = 0.0;
   int size_px = 0;    //!< width of one eye's image
   OutputWish output;  //!< where the picture will be shown
-  //! Length in the scene of a metre in front of the output [M]; for ViewerHead.
+  //! Length in the scene of a meter in front of the output [M]; for ViewerHead.
   double scale_per_m = 0.0;
   bool disparity_asked = false;
   //! Quality settings that replace the show's. Their error budget is in pixels of a picture that is

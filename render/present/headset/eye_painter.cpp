@@ -38,7 +38,7 @@ constexpr double panel_distance_m = 2.0;
 constexpr double caption_height_m = 1.15;
 constexpr double text_height_m = 1.75;
 constexpr int text_px = 28;
-constexpr double metres_per_text_px = 0.0016;
+constexpr double meters_per_text_px = 0.0016;
 
 glm::mat3 matrix(const glm::dquat& turn) { return glm::mat3(glm::mat3_cast(turn)); }
 
@@ -127,7 +127,7 @@ void EyePainter::State::set_panels(const HeadsetScene& scene) const {
               has_captions ? captions.opacity() : 0.0F);
   const bool has_text = scene.panels && text != 0;
   glBindTextureUnit(2, text);
-  set(1, text_height_m, 0.5 * metres_per_text_px * text_width, 0.5 * metres_per_text_px * text_height);
+  set(1, text_height_m, 0.5 * meters_per_text_px * text_width, 0.5 * meters_per_text_px * text_height);
   glUniform3f(panel_rows + 1, 0.0F, 1.0F, has_text ? 1.0F : 0.0F);
 }
 

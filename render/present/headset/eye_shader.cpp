@@ -2,7 +2,7 @@
 
 namespace ergodome {
 
-// The axes of the room are x right, y up, z back, in metres. A cube map of OpenGL has z forward.
+// The axes of the room are x right, y up, z back, in meters. A cube map of OpenGL has z forward.
 const char* const eye_shader_source = R"(
 in vec2 place;
 out vec4 colour;
