@@ -58,6 +58,7 @@ struct HeadsetSession::State {
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
+  void destroy();
   void find_headset();
   void create_session();
   void create_space();
@@ -78,21 +79,26 @@ HeadsetSession::State::State() {
     create_images();
     actions->attach(session);
   } catch (...) {
-    call.ignoring_errors(call.xr().DestroyInstance, instance);
+    destroy();
     throw;
   }
 }
 
-HeadsetSession::State::~State() {
-  for (const EyeImages& eye : eyes) {
-    if (eye.swapchain != XR_NULL_HANDLE) {
-      call.ignoring_errors(call.xr().DestroySwapchain, eye.swapchain);
+HeadsetSession::State::~State() { destroy(); }
+
+void HeadsetSession::State::destroy() {
+  const auto destroy_if = [&](auto function, auto handle) {
+    if (handle != XR_NULL_HANDLE) {
+      call.ignoring_errors(function, handle);
     }
+  };
+  for (const EyeImages& eye : eyes) {
+    destroy_if(call.xr().DestroySwapchain, eye.swapchain);
   }
-  call.ignoring_errors(call.xr().DestroySpace, space);
-  call.ignoring_errors(call.xr().DestroySession, session);
-  // Also destroys the actions.
-  call.ignoring_errors(call.xr().DestroyInstance, instance);
+  destroy_if(call.xr().DestroySpace, space);
+  destroy_if(call.xr().DestroySession, session);
+  actions.reset();
+  destroy_if(call.xr().DestroyInstance, instance);
 }
 
 void HeadsetSession::State::find_headset() {

@@ -172,6 +172,13 @@ void OpenXrActions::suggest_bindings(XrInstance instance, const OpenXrLibrary& l
   }
 }
 
+OpenXrActions::~OpenXrActions() {
+  for (const XrAction action : actions_) {
+    calls_.ignoring_errors(calls_.xr().DestroyAction, action);
+  }
+  calls_.ignoring_errors(calls_.xr().DestroyActionSet, set_);
+}
+
 void OpenXrActions::attach(XrSession session) {
   auto attached = openxr_struct<XrSessionActionSetsAttachInfo>(XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO);
   attached.countActionSets = 1;

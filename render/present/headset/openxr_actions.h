@@ -16,6 +16,10 @@ class OpenXrActions {
   //! `library` is for asking which extensions are enabled.
   OpenXrActions(const OpenXrCalls& calls, XrInstance instance, const OpenXrLibrary& library);
 
+  ~OpenXrActions();
+  OpenXrActions(const OpenXrActions&) = delete;
+  OpenXrActions& operator=(const OpenXrActions&) = delete;
+
   //! Attaches the actions to a session; once for each session.
   void attach(XrSession session);
 

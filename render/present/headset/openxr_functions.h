@@ -29,7 +29,7 @@ namespace ergodome {
   X(EnumerateSwapchainFormats) X(CreateSwapchain) X(DestroySwapchain) X(EnumerateSwapchainImages)             \
   X(AcquireSwapchainImage) X(WaitSwapchainImage) X(ReleaseSwapchainImage)                                     \
   X(WaitFrame) X(BeginFrame) X(LocateViews) X(EndFrame)                                                       \
-  X(CreateActionSet) X(DestroyActionSet) X(CreateAction) X(SuggestInteractionProfileBindings)                 \
+  X(CreateActionSet) X(DestroyActionSet) X(CreateAction) X(DestroyAction) X(SuggestInteractionProfileBindings)                 \
   X(AttachSessionActionSets) X(SyncActions) X(GetActionStateBoolean) X(GetActionStateFloat)                   \
   X(GetActionStateVector2f) X(ApplyHapticFeedback) X(GetCurrentInteractionProfile)
 // clang-format on

@@ -28,10 +28,13 @@ void read_script() {
   const char* const text = std::getenv("ERGODOME_OPENXR_TEST");
   Runtime& state = runtime();
   const std::string script_text = text == nullptr ? "" : text;
+  if (script_text != state.script_text) {
+    state.system_requests = 0;
+  }
   if (script_text != state.script_text || state.frames == 0) {
     state.script_text = script_text;
     state.script = parse_script(script_text);
-    state.frames = state.frames_with_layers = state.pictures = state.foreign_contexts = state.system_requests = 0;
+    state.frames = state.frames_with_layers = state.pictures = state.foreign_contexts = 0;
     state.display_time_ns = state.jumped_ns = 0;
     state.recentered_ns.reset();
     state.happened.clear();

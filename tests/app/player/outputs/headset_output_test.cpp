@@ -8,11 +8,14 @@
 #include <glm/gtc/quaternion.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "app/player/renderers/frame_source.h"
 #include "content/show/reading/show_reader.h"
+#include "kernels/launch/work_counter.h"
 #include "kernels/projection/make_projection.h"
 #include "render/frame/show_renderer.h"
 #include "render/output/tone_map.h"
@@ -107,36 +110,51 @@ Luminance blurred(const Luminance& sharp) {
   return picture;
 }
 
-//! Returns the shifts between tiles of two pictures [px]: those that minimize the squared
-//! difference to first order. Tiles without enough structure in both directions are left out.
+//! Returns the length of the shift [px] of a tile of `shown` against `expected`, together with a
+//! factor on the contrast: the least squares solution to first order. Both are blurred; `sharp` is
+//! `expected` without blur. Returns nothing without enough structure in both directions, or if much
+//! of it is so fine that the filters of the pictures matter. `left`, `top`: corner of the tile.
+std::optional<double> tile_shift(const Luminance& shown, const Luminance& expected, const Luminance& sharp, int left,
+                                 int top) {
+  constexpr int tile_px = 32;
+  double mean = 0.0;
+  double fine = 0.0;
+  double coarse = 0.0;
+  for (int i = 0; i < tile_px * tile_px; ++i) {
+    mean += expected.at(left + i % tile_px, top + i / tile_px) / (tile_px * tile_px);
+  }
+  glm::dmat3 normal(0.0);
+  glm::dvec3 right_side(0.0);
+  for (int i = 0; i < tile_px * tile_px; ++i) {
+    const int x = left + i % tile_px;
+    const int y = top + i / tile_px;
+    const glm::dvec3 change(0.5 * (expected.at(x + 1, y) - expected.at(x - 1, y)),
+                            0.5 * (expected.at(x, y + 1) - expected.at(x, y - 1)), expected.at(x, y) - mean);
+    normal += glm::outerProduct(change, change);
+    fine += std::pow(sharp.at(x, y) - expected.at(x, y), 2);
+    coarse += std::pow(change.z, 2);
+    right_side += (shown.at(x, y) - expected.at(x, y)) * change;
+  }
+  const double least = (normal[0][0] * normal[1][1] - normal[0][1] * normal[0][1]) / (normal[0][0] + normal[1][1]);
+  // Limits: a mean square of the slope in 1/255 per pixel, and a part of the contrast.
+  if (!(least > 1.0 * tile_px * tile_px) || fine > 0.1 * coarse) {
+    return std::nullopt;
+  }
+  const glm::dvec3 solution = glm::inverse(normal) * right_side;
+  return std::hypot(solution.x, solution.y);
+}
+
+//! Returns the shifts of all tiles [px], sorted.
 std::vector<double> shifts(const Luminance& shown, const Luminance& expected) {
+  constexpr int step_px = 32;
+  constexpr int border_px = 8;
   const Luminance a = blurred(shown);
   const Luminance b = blurred(expected);
-  constexpr int tile_px = 32;
   std::vector<double> found;
-  for (int top = 8; top + tile_px + 8 < a.height; top += tile_px) {
-    for (int left = 8; left + tile_px + 8 < a.width; left += tile_px) {
-      double xx = 0.0;
-      double xy = 0.0;
-      double yy = 0.0;
-      double xd = 0.0;
-      double yd = 0.0;
-      for (int y = top; y < top + tile_px; ++y) {
-        for (int x = left; x < left + tile_px; ++x) {
-          const double gx = 0.5 * (b.at(x + 1, y) - b.at(x - 1, y));
-          const double gy = 0.5 * (b.at(x, y + 1) - b.at(x, y - 1));
-          const double difference = a.at(x, y) - b.at(x, y);
-          xx += gx * gx;
-          xy += gx * gy;
-          yy += gy * gy;
-          xd += gx * difference;
-          yd += gy * difference;
-        }
-      }
-      const double determinant = xx * yy - xy * xy;
-      // At least 1 of 255 per pixel in the direction with the least structure.
-      if (determinant / std::max(xx + yy, 1e-9) > 1.0 * tile_px * tile_px) {
-        found.push_back(std::hypot((yy * xd - xy * yd) / determinant, (xx * yd - xy * xd) / determinant));
+  for (int top = border_px; top + step_px + border_px < a.height; top += step_px) {
+    for (int left = border_px; left + step_px + border_px < a.width; left += step_px) {
+      if (const std::optional<double> shift = tile_shift(a, b, expected, left, top)) {
+        found.push_back(*shift);
       }
     }
   }
@@ -165,7 +183,7 @@ class HeadsetOutput : public CommandLine {
         const double u = 6.28318530718 * x / 256.0;
         const double v = 6.28318530718 * y / 128.0;
         const auto wave = [&](double p, double q, double phase) { return std::sin(p * u + q * v + phase); };
-        const double value = wave(23, 7, 0.1) + wave(-17, 19, 1.3) + wave(31, -11, 2.9) + wave(5, 29, 4.0);
+        const double value = wave(11, 4, 0.1) + wave(-8, 9, 1.3) + wave(13, -5, 2.9) + wave(3, 12, 4.0);
         const std::string level = std::to_string(static_cast<int>(120 + 30 * value));
         clouds += level + " " + level + " " + level + "\n";
       }
@@ -173,14 +191,14 @@ class HeadsetOutput : public CommandLine {
     write("clouds.ppm", clouds);
   }
 
-  //! Plays show.toml in the headset of the test runtime. Returns the exit status.
-  int play(const std::string& script, const std::string& options = "") {
-    return run_on_display(
-        "play show.toml --headset --backend cpu --quiet --no-sound " + options,
-        "XR_RUNTIME_JSON='" ERGODOME_OPENXR_RUNTIME
-        "' XR_ENABLE_API_LAYERS=XR_APILAYER_LUNARG_core_validation XR_CORE_VALIDATION_EXPORT_TYPE=text "
-        "XR_CORE_VALIDATION_FILE_NAME=validation.txt XDG_STATE_HOME=state ERGODOME_OPENXR_TEST='log=log.txt;" +
-            script + "'");
+  //! Plays a show in the headset of the test runtime. Returns the exit status.
+  int play(const std::string& script, const std::string& options = "", const std::string& show = "show.toml") {
+    return run_on_display("play " + show + " --headset --backend cpu --quiet --no-sound " + options,
+                          "XR_RUNTIME_JSON='" ERGODOME_OPENXR_RUNTIME
+                          "' XR_ENABLE_API_LAYERS=XR_APILAYER_LUNARG_core_validation "
+                          "XR_CORE_VALIDATION_EXPORT_TYPE=text XR_CORE_VALIDATION_FILE_NAME=validation.txt "
+                          "XDG_STATE_HOME=state ERGODOME_OPENXR_TEST='log=log.txt;" +
+                              script + "'");
   }
 
   //! Returns the lines of the runtime's log.
@@ -222,7 +240,7 @@ class HeadsetOutput : public CommandLine {
 };
 
 TEST_F(HeadsetOutput, PicturesAreThoseOfDirectRaysForEachEyeAndTime) {
-  ASSERT_EQ(play("frames=500;pictures=pictures;every=50"), 0) << output_;
+  ASSERT_EQ(play("frames=500;pictures=pictures;every=50", "--size 480"), 0) << output_;
   EXPECT_EQ(lines_with("violation"), std::vector<json>{});
   EXPECT_EQ(validation(), "");
   const std::vector<json> frames = lines_with("display_time_ns");
@@ -233,7 +251,7 @@ TEST_F(HeadsetOutput, PicturesAreThoseOfDirectRaysForEachEyeAndTime) {
   for (const json& frame : frames) {
     const auto number = frame.at("frame").get<int>();
     // The first pictures are coarse, until the sky of the position has its final resolution.
-    if (number < 200) {
+    if (number < 300) {
       continue;
     }
     for (const int eye : {0, 1}) {
@@ -246,26 +264,60 @@ TEST_F(HeadsetOutput, PicturesAreThoseOfDirectRaysForEachEyeAndTime) {
       const std::vector<double> found =
           shifts(read_picture(folder_ / name),
                  direct_view(renderer, eye, frame.at("display_time_ns").get<std::int64_t>(), front));
-      ASSERT_GT(found.size(), 40U) << name;
+      ASSERT_GE(found.size(), 10U) << name;
       EXPECT_LT(at_part(found, 0.5), 0.05) << name;
-      EXPECT_LT(at_part(found, 0.95), 0.25) << name;
+      EXPECT_LT(found.back(), 0.25) << name;
     }
   }
-  EXPECT_GE(compared, 12);
+  EXPECT_GE(compared, 8);
 }
 
-TEST_F(HeadsetOutput, TurningTheHeadNeedsNoNewLens) {
-  // The head turns by up to 30° to each side during these frames.
-  ASSERT_EQ(play("frames=400", "--set headset.stereo=flat --for 600"), 0) << output_;
-  const std::vector<json> frames = lines_with("display_time_ns");
-  ASSERT_GE(frames.size(), 400U);
+TEST_F(HeadsetOutput, EveryFrameThatIsWantedShowsPictures) {
+  // The runtime checks that each has the poses of its own display time. New positions take much
+  // longer than a frame.
+  write("moving.toml", std::string("duration_s = 10\n") + standing + R"(
+[[camera.key]]
+t_s = 10
+r = 8
+theta_deg = 80
+phi_deg = 90
+)");
+  ASSERT_EQ(play("frames=300", "", "moving.toml"), 0) << output_;
   int with_layers = 0;
-  for (const json& frame : frames) {
+  for (const json& frame : lines_with("display_time_ns")) {
     with_layers += frame.at("layers").empty() ? 0 : 1;
   }
   // All but the first two, in which the runtime wants nothing.
-  EXPECT_EQ(with_layers, 398);
+  EXPECT_EQ(with_layers, 298);
   EXPECT_EQ(lines_with("violation"), std::vector<json>{});
+}
+
+TEST_F(HeadsetOutput, TurningTheHeadNeedsNoNewLens) {
+  Show show = read_show((folder_ / "show.toml").string());
+  show.view.projection = ViewProjection::cube;
+  show.view.cube_files = CubeFiles::strip;
+  show.stereo.layout = StereoLayout::separate;
+  show.stereo.model = StereoModel::flat;
+  PictureRequest request;
+  request.renderer = std::make_shared<ShowRenderer>(show, Backend::cpu, LensChoice::live);
+  request.frame.pose = camera_pose(show, 0.0);
+  request.frame.stereo = show.stereo;
+  request.frame.stereo.baseline = 0.05;
+  request.size_px = 6 * 128;
+  request.patience_s = 60.0;
+  ViewerHead& head = request.output.head.emplace();
+  static_cast<void>(render_for_output(request));
+  const auto before = work_done();
+  for (int i = 1; i <= 6; ++i) {
+    head.turn = glm::angleAxis(0.3 * i, glm::dvec3(0.0, 1.0, 0.0));
+    EXPECT_EQ(render_for_output(request).turn, head.turn);
+  }
+  EXPECT_FALSE(work_between(before, work_done()).contains("trace_nodes"));
+  // A step of half a meter does need one.
+  request.scale_per_m = 1.0;
+  head.offset_m = {0.0, 0.0, 0.5};
+  static_cast<void>(render_for_output(request));
+  EXPECT_TRUE(work_between(before, work_done()).contains("trace_nodes"));
 }
 
 //! A way in which a runtime misbehaves, and what is left of a run of 90 frames.
@@ -303,7 +355,7 @@ INSTANTIATE_TEST_SUITE_P(Hostile, HeadsetOutputInRuntime,
                                          // Without poses and while the headset is not worn, nothing is shown.
                                          HostileRun{"invalid_poses", 60, 70}, HostileRun{"taken_off", 50, 60},
                                          HostileRun{"restart", 80, 88}, HostileRun{"exit", 20, 30}),
-                         [](const auto& info) { return std::string(info.param.mode); });
+                         [](const auto& run) { return std::string(run.param.mode); });
 
 TEST_F(HeadsetOutput, ALostHeadsetIsFoundAgainWithinFiveSeconds) {
   for (const char* mode : {"session_lost", "instance_lost"}) {
@@ -320,7 +372,8 @@ TEST_F(HeadsetOutput, ALostHeadsetIsFoundAgainWithinFiveSeconds) {
 
 TEST_F(HeadsetOutput, WithoutAHeadsetOneMessageSaysWhatToDo) {
   EXPECT_EQ(play("modes=no_system"), 1);
-  EXPECT_EQ(output_, "ergodome: headset: no headset is connected; connect the headset and switch it on\n");
+  EXPECT_THAT(output_,
+              testing::HasSubstr("ergodome: headset: no headset is connected; connect the headset and switch it on\n"));
   EXPECT_EQ(play("modes=mono"), 1);
   EXPECT_THAT(output_, testing::HasSubstr("does not show two eyes; connect a stereoscopic headset"));
   EXPECT_EQ(run_on_display("play show.toml --headset --backend cpu", "XR_RUNTIME_JSON=/no/runtime.json"), 1);
@@ -337,7 +390,7 @@ TEST_F(HeadsetOutput, AnExhibitRunsInItsWindowUntilThereIsAHeadset) {
 
 TEST_F(HeadsetOutput, WithoutTheOptionNoOpenXrLibraryIsLoaded) {
   ASSERT_EQ(run_on_display("play show.toml --backend cpu --no-sound --for 0.1", "LD_DEBUG=files"), 0);
-  EXPECT_THAT(output_, testing::HasSubstr("libOpenGL"));
+  EXPECT_THAT(output_, testing::HasSubstr("libGL"));
   EXPECT_THAT(output_, testing::Not(testing::HasSubstr("openxr")));
 }
 
