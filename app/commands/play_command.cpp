@@ -87,8 +87,7 @@ std::unique_ptr<DisplayOutput> open_headset(PlayArguments& arguments, const Show
   headset.settings = show.headset;
   headset.may_be_absent = arguments.exhibit;
   auto output = std::make_unique<HeadsetOutput>(headset);
-  arguments.options.size_px =
-      arguments.size_given ? cube_faces * arguments.options.size_px : output->fitting_size_px();
+  arguments.options.size_px = arguments.size_given ? cube_faces * arguments.options.size_px : output->fitting_size_px();
   return output;
 }
 
@@ -212,7 +211,9 @@ void run(PlayArguments arguments) {
   if (!arguments.exhibit) {
     require_used_memory(show, arguments.lens);
   }
-  report_equal_eyes(show);
+  if (!arguments.headset) {
+    report_equal_eyes(show);
+  }
   if (keeps_eyes_apart(show.stereo.layout) && !arguments.projectors && !arguments.headset) {
     print_note("the window shows stereo layout {} side by side; only render writes separate images",
                stereo_layout_names[static_cast<std::size_t>(show.stereo.layout)]);
@@ -278,8 +279,8 @@ void add_dome_options(CLI::App& command, PlayArguments& arguments, IgnoredOption
 
 void add_headset_options(CLI::App& command, PlayArguments& arguments, IgnoredOptions& ignored) {
   command.option_defaults()->group("Headsets");
-  CLI::Option* const headset = command.add_flag(
-      "--headset", arguments.headset, "show in a headset (OpenXR), with a mirror window for the operator");
+  CLI::Option* const headset = command.add_flag("--headset", arguments.headset,
+                                                "show in a headset (OpenXR), with a mirror window for the operator");
   command
       .add_option("--headset-scale", arguments.headset_scale,
                   "length in the scene of one meter in the room (default: the show's) [M]")

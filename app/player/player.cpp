@@ -245,6 +245,7 @@ void Player::update_picture() {
   wish.frame = session_->frame();
   wish.output = output_wish_;
   add_head(wish);
+  stereo_ = wish.frame.stereo;
   const bool words_changed = add_words(wish);
   const bool light_asked = add_light(wish);
   note(pictures_.advance(*session_, std::move(wish), words_changed || light_asked));
@@ -415,8 +416,7 @@ void Player::update_texts() {
   }
   std::string times;
   if (session_->times_shown()) {
-    times = times_text(pictures_.report(), session_->frame().stereo, pictures_.renderers().backend(),
-                       session_->playback().language());
+    times = times_text(pictures_.report(), stereo_, pictures_.renderers().backend(), session_->playback().language());
     const CameraPose& pose = session_->frame().pose;
     times += '\n';
     times += text_in(readout_text(session_->spacetime(), pose.r, pose.theta), session_->playback().language());
@@ -435,6 +435,7 @@ void Player::update_texts() {
 void Player::post_status() {
   PlayerStatus status;
   session_->fill(status);
+  status.baseline = output_wish_.head ? stereo_.baseline : status.baseline;
   const PictureReport& report = pictures_.report();
   status.lens = report.lens;
   status.backend = pictures_.renderers().backend();

@@ -76,6 +76,11 @@ HeadsetOutput::HeadsetOutput(const HeadsetOptions& options)
   glCreateFramebuffers(1, &framebuffer_);
   try {
     session_.emplace();
+  } catch (const HeadsetLost& problem) {
+    if (!options.may_be_absent) {
+      throw Error("headset", problem.what(), "restart the OpenXR runtime");
+    }
+    lose(problem.what());
   } catch (const std::exception& problem) {
     if (!options.may_be_absent) {
       throw;
@@ -123,6 +128,8 @@ OutputWish HeadsetOutput::wish() {
       }
       if (session.state() != HeadsetState::ended) {
         frame_ = session.begin_frame();
+      } else if (options_.may_be_absent) {
+        throw HeadsetLost("the session was ended from the runtime's menu");
       }
     });
   }
@@ -157,7 +164,7 @@ void HeadsetOutput::take(OutputFrame& frame) {
   motion_.note(frame, monotonic_s());
 }
 
-glm::dquat HeadsetOutput::level_from_room() const { return about_up(-comfort_state_.yaw_rad - facing_); }
+glm::dquat HeadsetOutput::level_from_room() const { return about_up(first_yaw_ - comfort_state_.yaw_rad - facing_); }
 
 void HeadsetOutput::turn_viewer(double rate) {
   turn_rate_ = rate;
@@ -192,6 +199,7 @@ void HeadsetOutput::follow_head() {
     centered_ = true;
     middle_m_ = head_position_m(eyes_);
     facing_ = heading_of(head_turn(eyes_));
+    first_yaw_ = comfort_state_.yaw_rad;
   }
 }
 
@@ -311,7 +319,7 @@ bool HeadsetOutput::attended() const {
 
 std::string HeadsetOutput::state_text() const {
   if (!session_) {
-    return "no headset: " + problem_;
+    return problem_;
   }
   constexpr const char* names[] = {"waiting", "not worn", "visible, without input", "in use", "ended by its user"};
   return fmt::format("{}: {}", session_->name(), names[static_cast<int>(session_->state())]);

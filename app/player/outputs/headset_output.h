@@ -82,6 +82,7 @@ class HeadsetOutput : public DisplayOutput {
   bool menu_held_ = false;
   glm::dvec3 middle_m_{0.0};  //!< position of the head when it was centered
   double facing_ = 0.0;       //!< its direction, to the left of the room's front [rad]
+  double first_yaw_ = 0.0;    //!< ComfortState::yaw_rad at that time
   double turn_step_ = 0.0;    //!< direction between the eyes in the last wish, in level axes [rad]
 
   HeadsetComfort comfort_;

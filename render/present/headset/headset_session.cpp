@@ -173,7 +173,7 @@ void HeadsetSession::State::create_images() {
   call("xrEnumerateViewConfigurationViews", xr.EnumerateViewConfigurationViews, instance, system, two_eyes, count,
        &count, views.data());
   if (count != 2) {
-    throw Error("headset", fmt::format("{} has {} views", name, count), "connect a headset with two views");
+    throw Error("headset", fmt::format("{} reports {} views instead of 2", name, count), "update the OpenXR runtime");
   }
   // Both eyes get the same size, so that they share buffers.
   const auto common = [&](auto recommended, auto largest) {
@@ -208,7 +208,7 @@ void HeadsetSession::State::create_images() {
 void HeadsetSession::State::take(const XrEventDataBuffer& event) {
   switch (event.type) {
     case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
-      throw HeadsetLost("the OpenXR runtime is shutting down");
+      throw HeadsetLost("the OpenXR runtime is shutting down; start it again");
     case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING:
       recentered = true;
       break;
@@ -248,7 +248,7 @@ void HeadsetSession::State::follow(XrSessionState now) {
       state = HeadsetState::ended;
       break;
     case XR_SESSION_STATE_LOSS_PENDING:
-      throw HeadsetLost("the headset was disconnected");
+      throw HeadsetLost("the headset was disconnected; connect it again");
     default:
       break;
   }

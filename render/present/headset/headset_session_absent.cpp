@@ -8,7 +8,7 @@ namespace ergodome {
 struct HeadsetSession::State {};
 
 HeadsetSession::HeadsetSession() {
-  throw Error("headset", "this program was built without OpenXR", "run app/setup and build again");
+  throw Error("headset", "this program was built without OpenXR", "install libopenxr-dev and build again");
 }
 
 HeadsetSession::~HeadsetSession() = default;

@@ -10,7 +10,8 @@ namespace ergodome {
 OpenXrCalls::OpenXrCalls()
     : display_(glXGetCurrentDisplay()), drawable_(glXGetCurrentDrawable()), context_(glXGetCurrentContext()) {
   if (display_ == nullptr || context_ == nullptr) {
-    throw Error("headset", "the window does not use GLX, which OpenXR needs here", "run the program in an X11 session");
+    throw Error("headset", "the window does not use GLX, which OpenXR needs here",
+                "run the program under X11 or XWayland");
   }
 }
 

@@ -29,7 +29,7 @@ PFN_xrGetInstanceProcAddr load_openxr() {
   void* const library = dlopen(file, RTLD_NOW | RTLD_LOCAL);
   void* const entry = library != nullptr ? dlsym(library, "xrGetInstanceProcAddr") : nullptr;
   if (entry == nullptr) {
-    throw Error("headset", "the OpenXR loader (libopenxr_loader.so.1) is not installed",
+    throw Error("headset", "the OpenXR loader (libopenxr_loader.so.1) cannot be loaded",
                 "install the package libopenxr-loader1");
   }
   return reinterpret_cast<PFN_xrGetInstanceProcAddr>(entry);
