@@ -123,7 +123,7 @@ class Player {
   OutputWish output_wish_;         //!< what the output needs for the next picture
   bool attended_ = true;           //!< DisplayOutput::attended() of the last frame
   bool pauses_alone_ = false;      //!< the show is paused because nobody looks
-  StereoSettings stereo_;      //!< stereo settings of the last request
+  StereoSettings stereo_;          //!< stereo settings of the last request
   glm::dvec3 head_offset_m_{0.0};  //!< ViewerHead::offset_m of the last request
   EyeNotice eye_notice_;
   std::optional<PlayerSession> session_;

@@ -18,7 +18,8 @@ PictureNews SessionPictures::advance(const PlayerSession& session, PictureReques
   wish.disparity_asked = session.times_shown();
   add_budget(wish, session.now_s());
   const bool resized = std::exchange(window_, wish.output.window) != wish.output.window;
-  const std::optional<PictureHead> head = wish.output.head ? std::optional(PictureHead(*wish.output.head)) : std::nullopt;
+  const std::optional<PictureHead> head =
+      wish.output.head ? std::optional(PictureHead(*wish.output.head)) : std::nullopt;
   const bool turned = std::exchange(head_, head) != head;
   changed = changed || resized || turned || !wish.output.eyes.empty() || session.changed();
   const PictureNews news = flow_.advance(wish, changed, session.moving());

@@ -29,8 +29,8 @@ struct OutputEye {
 
 //! A flat panel for captions.
 struct CaptionPanel {
-  ImageSize size = {0, 0};   //!< [px]
-  double half_width = 1.0;   //!< tangent of the angle from the panel's middle to its side
+  ImageSize size = {0, 0};  //!< [px]
+  double half_width = 1.0;  //!< tangent of the angle from the panel's middle to its side
 
   bool operator==(const CaptionPanel&) const = default;
 };
@@ -96,8 +96,8 @@ struct OutputFrame {
   LaidCaptions captions;
   //! ViewerHead::turn of the wish that the frame fulfills.
   glm::dquat turn{1.0, 0.0, 0.0, 0.0};
-  CameraPose observer{};       //!< camera of the show or of the flight, without the viewer's head
-  double show_time_s = 0.0;    //!< show time of the frame
+  CameraPose observer{};     //!< camera of the show or of the flight, without the viewer's head
+  double show_time_s = 0.0;  //!< show time of the frame
   //! The pictures in GPU memory, which replace the pixels above; valid until the next wish().
   std::optional<DevicePicture> on_device;
 };
