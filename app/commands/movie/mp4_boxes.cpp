@@ -131,7 +131,7 @@ void insert_into_track(Mp4Index& index, const VideoTrackBoxes& boxes) {
   if (listed.size() != 1 || listed.front().end - listed.front().begin < video_entry_bytes) {
     index.refuse(entries.begin, "the box stsd does not describe one video format");
   }
-  const Mp4Box entry = listed.front();
+  const Mp4Box& entry = listed.front();
   std::uint64_t at = entry.begin + video_entry_bytes;
   for (const Mp4Box& box : index.boxes_in(entry, video_entry_bytes)) {
     if (box.type == "avcC" || box.type == "hvcC") {

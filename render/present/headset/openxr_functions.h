@@ -46,7 +46,7 @@ struct OpenXrFunctions {
 //! Returns a structure of OpenXR with its type set and everything else 0.
 template <class Struct>
 Struct openxr_struct(XrStructureType type) {
-  Struct made{};
+  Struct made{};  // NOLINT(bugprone-invalid-enum-default-initialization): 0 is "not set" in OpenXR
   made.type = type;
   return made;
 }

@@ -37,18 +37,18 @@ class FakeHeadset : public DisplayOutput {
 
 //! Plays a show with controllers in one state; returns whether the camera left the show's path.
 bool flies(const HeadsetHands& hands, bool guide) {
-  const Show show = parse_show("[hole]\nspin = 0.9\n[[camera.key]]\nr = 12\n", "controllers.toml");
+  const Show played = parse_show("[hole]\nspin = 0.9\n[[camera.key]]\nr = 12\n", "controllers.toml");
   PlayOptions options;
   options.size_px = 32;
   options.guide = guide;
   options.pad_fixture = ERGODOME_TEST_DATA_DIR "/hid/mouse_and_keyboard.toml";
   options.services.sound = false;
   options.services.log_on_terminal = false;
-  options.load = [&](const std::string&) { return show; };
+  options.load = [&](const std::string&) -> const Show& { return played; };
   options.for_seconds = 60.0;  // if no frame comes
   const auto make = [](const Show& shown) { return std::make_shared<ShowRenderer>(shown, Backend::cpu); };
   std::string caption;
-  Player(show, make, std::make_unique<FakeHeadset>(hands, caption), options).run();
+  Player(played, make, std::make_unique<FakeHeadset>(hands, caption), options).run();
   return !caption.empty();
 }
 

@@ -32,8 +32,8 @@ double difference_from_middle(const Picture& half, const Picture& whole) {
   double light = 0.0;
   for (int y = 0; y < half.height; ++y) {
     for (int i = 0; i < 4 * half.width; ++i) {
-      const auto at = static_cast<std::size_t>(4 * y * half.width + i);
-      const auto at_whole = static_cast<std::size_t>(4 * (y * whole.width + half.width / 2) + i);
+      const std::size_t at = std::size_t{4} * y * half.width + i;
+      const std::size_t at_whole = std::size_t{4} * (y * whole.width + half.width / 2) + i;
       difference += std::abs(static_cast<double>(half.rgba[at]) - static_cast<double>(whole.rgba[at_whole]));
       light += static_cast<double>(half.rgba[at]);
     }

@@ -350,7 +350,6 @@ TEST_F(RenderAVrFilm, IsReadBackByFfprobe) {
   if (std::system("ffmpeg -version > /dev/null 2>&1 && ffprobe -version > /dev/null 2>&1") != 0) {
     GTEST_SKIP() << "ffmpeg is not installed";
   }
-  const std::string half = " --set view.fov_deg=180";
   for (const ProbedFilm& film : {ProbedFilm{"--stereo mono", "2D", 0},
                                  {"--stereo top_bottom", "top and bottom", 0},
                                  {"--stereo side_by_side --set view.fov_deg=180", "side by side", 64}}) {

@@ -67,7 +67,7 @@ struct Luminance {
   int height = 0;
   std::vector<double> values;
 
-  [[nodiscard]] double at(int x, int y) const { return values[static_cast<std::size_t>(y * width + x)]; }
+  [[nodiscard]] double at(int x, int y) const { return values[static_cast<std::size_t>(y) * width + x]; }
 };
 
 Luminance luminance_of(int width, int height, const std::uint8_t* rgb) {
@@ -102,7 +102,7 @@ Luminance blurred(const Luminance& sharp) {
     const int down = 1 - right;
     for (int y = 1; y + 1 < picture.height; ++y) {
       for (int x = 1; x + 1 < picture.width; ++x) {
-        picture.values[static_cast<std::size_t>(y * picture.width + x)] =
+        picture.values[static_cast<std::size_t>(y) * picture.width + x] =
             0.5 * before.at(x, y) + 0.25 * (before.at(x + right, y + down) + before.at(x - right, y - down));
       }
     }
@@ -185,7 +185,9 @@ class HeadsetOutput : public CommandLine {
         const auto wave = [&](double p, double q, double phase) { return std::sin(p * u + q * v + phase); };
         const double value = wave(11, 4, 0.1) + wave(-8, 9, 1.3) + wave(13, -5, 2.9) + wave(3, 12, 4.0);
         const std::string level = std::to_string(static_cast<int>(120 + 30 * value));
-        clouds += level + " " + level + " " + level + "\n";
+        for (int channel = 0; channel < 3; ++channel) {
+          clouds.append(level).append("\n");
+        }
       }
     }
     write("clouds.ppm", clouds);
@@ -327,7 +329,7 @@ struct HostileRun {
   int most_with_layers;
 };
 
-void PrintTo(const HostileRun& run, std::ostream* out) { *out << run.mode; }
+std::ostream& operator<<(std::ostream& out, const HostileRun& run) { return out << run.mode; }
 
 class HeadsetOutputInRuntime : public HeadsetOutput, public testing::WithParamInterface<HostileRun> {};
 
