@@ -168,17 +168,17 @@ void HeadsetSession::State::create_images() {
   std::uint32_t count = 0;
   call("xrEnumerateViewConfigurationViews", xr.EnumerateViewConfigurationViews, instance, system, two_eyes, 0U, &count,
        nullptr);
-  std::vector<XrViewConfigurationView> views(count,
-                                             openxr_struct<XrViewConfigurationView>(XR_TYPE_VIEW_CONFIGURATION_VIEW));
+  std::vector<XrViewConfigurationView> described(
+      count, openxr_struct<XrViewConfigurationView>(XR_TYPE_VIEW_CONFIGURATION_VIEW));
   call("xrEnumerateViewConfigurationViews", xr.EnumerateViewConfigurationViews, instance, system, two_eyes, count,
-       &count, views.data());
+       &count, described.data());
   if (count != 2) {
     throw Error("headset", fmt::format("{} reports {} views instead of 2", name, count), "update the OpenXR runtime");
   }
   // Both eyes get the same size, so that they share buffers.
   const auto common = [&](auto recommended, auto largest) {
-    const std::uint32_t wanted = std::max(views[0].*recommended, views[1].*recommended);
-    const std::uint32_t possible = std::min(views[0].*largest, views[1].*largest);
+    const std::uint32_t wanted = std::max(described[0].*recommended, described[1].*recommended);
+    const std::uint32_t possible = std::min(described[0].*largest, described[1].*largest);
     return static_cast<int>(std::max(1U, possible > 0 ? std::min(wanted, possible) : wanted));
   };
   size = {common(&XrViewConfigurationView::recommendedImageRectWidth, &XrViewConfigurationView::maxImageRectWidth),
