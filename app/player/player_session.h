@@ -21,7 +21,7 @@ struct PlayerInput {
   std::vector<TransportCommand> commands;  //!< commands from OSC and the status page
   double display_delay_s = 0.0;            //!< OutputWish::display_delay_s
   //! ViewerHead::look, if a viewer's head determines where the camera looks.
-  std::optional<glm::dquat> look;
+  std::optional<glm::dquat> look = std::nullopt;
 };
 
 struct SessionOptions {
