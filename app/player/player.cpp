@@ -245,7 +245,6 @@ void Player::update_picture() {
   wish.frame = session_->frame();
   wish.output = output_wish_;
   add_head(wish);
-  stereo_ = wish.frame.stereo;
   const bool words_changed = add_words(wish);
   const bool light_asked = add_light(wish);
   note(pictures_.advance(*session_, std::move(wish), words_changed || light_asked));
@@ -267,6 +266,7 @@ void Player::add_head(PictureRequest& wish) {
   if (!session_->playback().baseline()) {
     wish.frame.stereo.baseline = wish.scale_per_m * head.eye_distance_m;
   }
+  head_baseline_ = wish.frame.stereo.baseline;
 }
 
 void Player::note(PictureNews news) {
@@ -416,7 +416,9 @@ void Player::update_texts() {
   }
   std::string times;
   if (session_->times_shown()) {
-    times = times_text(pictures_.report(), stereo_, pictures_.renderers().backend(), session_->playback().language());
+    StereoSettings stereo = session_->frame().stereo;
+    stereo.baseline = output_wish_.head ? head_baseline_ : stereo.baseline;
+    times = times_text(pictures_.report(), stereo, pictures_.renderers().backend(), session_->playback().language());
     const CameraPose& pose = session_->frame().pose;
     times += '\n';
     times += text_in(readout_text(session_->spacetime(), pose.r, pose.theta), session_->playback().language());
@@ -435,7 +437,7 @@ void Player::update_texts() {
 void Player::post_status() {
   PlayerStatus status;
   session_->fill(status);
-  status.baseline = output_wish_.head ? stereo_.baseline : status.baseline;
+  status.baseline = output_wish_.head ? head_baseline_ : status.baseline;
   const PictureReport& report = pictures_.report();
   status.lens = report.lens;
   status.backend = pictures_.renderers().backend();

@@ -120,10 +120,10 @@ class Player {
   PlayOptions options_;
   std::vector<std::string> damage_;  //!< errors of files that were ignored at the start
   std::unique_ptr<DisplayOutput> output_;
-  OutputWish output_wish_;         //!< what the output needs for the next picture
+  OutputWish output_wish_;         //!< requirements of the output for the next picture
   bool attended_ = true;           //!< DisplayOutput::attended() of the last frame
   bool pauses_alone_ = false;      //!< the show is paused because nobody looks
-  StereoSettings stereo_;          //!< stereo settings of the last request
+  double head_baseline_ = 0.0;     //!< baseline of a viewer's eyes in the last request [M]
   glm::dvec3 head_offset_m_{0.0};  //!< ViewerHead::offset_m of the last request
   EyeNotice eye_notice_;
   std::optional<PlayerSession> session_;

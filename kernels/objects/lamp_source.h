@@ -23,8 +23,8 @@ struct LampSource {
 //! The change of a ray between two points by the spin, as a first guess for a nearby target; 0:
 //! unknown.
 struct RayCorrection {
-  Vector3<double> direction;  //!< what the spin adds to the direction, for aim_with_spin
-  double gamma, x;            //!< what the spin adds to γ and x, for aim_round_with_spin
+  Vector3<double> direction;  //!< change of the direction by the spin, for aim_with_spin
+  double gamma, x;            //!< changes of γ and x by the spin, for aim_round_with_spin
 };
 
 //! Corrections of a lamp's rays to a point, for both ways round the hole.

@@ -35,6 +35,12 @@ vec3 toned(vec3 light) {
 }
 )";
 
+const char* const encoding_source = R"(
+vec3 encoded(vec3 light) {
+  return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
+}
+)";
+
 namespace {
 
 GLuint compiled(GLenum kind, const std::string& source) {

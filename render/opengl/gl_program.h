@@ -17,6 +17,9 @@ extern const char* const whole_viewport_source;
 //! set_tone sets.
 extern const char* const tone_source;
 
+//! Part of a shader: `vec3 encoded(vec3 light)`, which encodes display light as sRGB values.
+extern const char* const encoding_source;
+
 //! A shader's kind, as an OpenGL constant (GL_VERTEX_SHADER and so on), and its source.
 struct ShaderSource {
   unsigned kind;

@@ -94,10 +94,8 @@ struct OutputFrame {
   EyeGrid eye_grid;  //!< arrangement of the eyes in the shown picture
   //! Captions over each eye's picture, at the window's resolution; may be empty.
   LaidCaptions captions;
-  //! ViewerHead::turn of the wish that the frame fulfills.
-  glm::dquat turn{1.0, 0.0, 0.0, 0.0};
-  CameraPose observer{};     //!< camera of the show or of the flight, without the viewer's head
-  double show_time_s = 0.0;  //!< show time of the frame
+  glm::dquat turn{1.0, 0.0, 0.0, 0.0};  //!< with a ViewerHead: its `turn` in the wish for this frame
+  CameraPose observer{};                //!< with a ViewerHead: camera of the show or flight, without the head
   //! The pictures in GPU memory, which replace the pixels above; valid until the next wish().
   std::optional<DevicePicture> on_device;
 };

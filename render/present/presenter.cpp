@@ -31,13 +31,6 @@ struct Presenter::State {
 
 namespace {
 
-//! Shader function that encodes display light as sRGB values.
-constexpr const char* encoding_source = R"(
-vec3 encoded(vec3 light) {
-  return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
-}
-)";
-
 constexpr const char* captions_source = R"(#version 450 core
 in vec2 place;
 out vec4 colour;

@@ -9,7 +9,7 @@ namespace ergodome::test {
 
 inline double length(const Vector3<double>& v) { return std::sqrt(dot(v, v)); }
 
-//! What a ray sees exactly. The sky direction is computed by elliptic functions, its derivatives by
+//! The exact end of a ray. The sky direction is computed by elliptic functions, its derivatives by
 //! the direction of the ray from a Taylor series of order 20.
 struct ExactRay {
   bool bright;

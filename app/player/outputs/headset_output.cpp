@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/budget/deadline.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/projection/cube_faces.h"
@@ -31,10 +32,6 @@ constexpr double turn_step_rad = 15.0 * one_degree;
 //! Width of one of the cube's faces below which pictures are not made coarser [px].
 constexpr int smallest_face_px = 160;
 constexpr int largest_face_px = 4096;
-
-double monotonic_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 glm::dquat about_up(double angle) { return glm::angleAxis(angle, glm::dvec3(0.0, 1.0, 0.0)); }
 
@@ -70,7 +67,7 @@ HeadsetOutput::HeadsetOutput(const HeadsetOptions& options)
               options.mirror.full_screen),
       eyes_(standing_eyes()),
       comfort_(options.settings),
-      advanced_s_(monotonic_s()) {
+      advanced_s_(steady_seconds()) {
   // An obscured window that waits for its refresh would slow down the headset.
   window_.swap_at_once();
   glCreateFramebuffers(1, &framebuffer_);
@@ -89,15 +86,17 @@ HeadsetOutput::HeadsetOutput(const HeadsetOptions& options)
   }
 }
 
+HeadsetOutput::~HeadsetOutput() { glDeleteFramebuffers(1, &framebuffer_); }
+
 void HeadsetOutput::lose(const std::string& problem) {
   problem_ = problem;
   frame_.reset();
   session_.reset();
-  next_try_s_ = monotonic_s() + retry_s;
+  next_try_s_ = steady_seconds() + retry_s;
 }
 
 void HeadsetOutput::connect() {
-  if (session_ || monotonic_s() < next_try_s_) {
+  if (session_ || steady_seconds() < next_try_s_) {
     return;
   }
   try {
@@ -161,7 +160,7 @@ OutputWish HeadsetOutput::wish() {
 void HeadsetOutput::take(OutputFrame& frame) {
   panorama_.set(frame);
   painter_.set_captions(frame.captions);
-  motion_.note(frame, monotonic_s());
+  motion_.note(frame, steady_seconds());
 }
 
 glm::dquat HeadsetOutput::level_from_room() const { return about_up(first_yaw_ - comfort_state_.yaw_rad - facing_); }
@@ -211,9 +210,9 @@ HeadsetScene HeadsetOutput::scene() const {
   scene.rest_frame = options_.settings.rest_frame;
   scene.floor_m = session_ && session_->origin() == HeadsetOrigin::head ? -eye_height_m : 0.0;
   scene.middle_m = middle_m_;
-  scene.facing = facing_;
+  scene.facing_rad = facing_;
   scene.vignette = comfort_state_.vignette;
-  scene.vignette_inner = comfort_state_.clear_half_angle_rad;
+  scene.clear_half_angle_rad = comfort_state_.clear_half_angle_rad;
   scene.panels = options_.settings.panel;
   return scene;
 }
@@ -255,7 +254,7 @@ void HeadsetOutput::draw_mirror() {
 }
 
 void HeadsetOutput::show() {
-  const double now_s = monotonic_s();
+  const double now_s = steady_seconds();
   const double stops = std::log2(std::max(panorama_.tone().gain, 1e-30F));
   comfort_state_ =
       comfort_.advance(now_s - advanced_s_, {.speed = motion_.speed(now_s),
@@ -305,8 +304,8 @@ int HeadsetOutput::fitting_size_px() const {
   if (!session_) {
     return cube_faces * smallest_face_px;
   }
-  // A face of the cube is two tangents wide. The views' sides are known only with the first frame;
-  // most headsets show about two tangents.
+  // A face of the cube shows tangents from -1 to 1. So do, roughly, the views of most headsets,
+  // whose sides are known only with the first frame.
   const int face_px = std::clamp(session_->eye_size().width, smallest_face_px, largest_face_px);
   return cube_faces * face_px;
 }

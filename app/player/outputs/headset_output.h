@@ -30,6 +30,7 @@ class HeadsetOutput : public DisplayOutput {
  public:
   //! Throws Error if there is no display, or no headset and it may not be absent.
   explicit HeadsetOutput(const HeadsetOptions& options);
+  ~HeadsetOutput() override;
 
   [[nodiscard]] OutputWish wish() override;
   void take(OutputFrame& frame) override;
@@ -52,8 +53,6 @@ class HeadsetOutput : public DisplayOutput {
 
   //! Returns the width of a picture whose pixels are as small as those of the headset [px].
   [[nodiscard]] int fitting_size_px() const;
-  //! Makes the viewer's current position and direction the middle and the front.
-  void recenter() { centered_ = false; }
 
  private:
   void connect();
@@ -61,6 +60,8 @@ class HeadsetOutput : public DisplayOutput {
   //! Runs a call of the session; if the headset is lost, ends the session.
   template <class Work>
   void with_session(const Work& work);
+  //! Makes the viewer's next position and direction the middle and the front.
+  void recenter() { centered_ = false; }
   void follow_head();
   void draw_frame();
   void draw_mirror();

@@ -197,18 +197,10 @@ void show_eyes_of_show(ShowRenderer& renderer, const PictureRequest& request, co
   }
 }
 
-}  // namespace
-
-PictureAnswer render_for_output(const PictureRequest& asked) {
-  ShowRenderer& renderer = *asked.renderer;
-  PictureRequest request = asked;
-  if (asked.output.head) {
-    // Baked lenses are only for positions on the path, so a head moves off it only without them.
-    const double scale = renderer.stream_statistics() ? 0.0 : asked.scale_per_m;
-    request.frame.pose = head_pose(renderer.show(), asked.frame.pose, *asked.output.head, scale);
-  }
+//! Renders a request whose renderer is set up.
+PictureAnswer render_request(const PictureRequest& request) {
+  ShowRenderer& renderer = *request.renderer;
   const PlayerFrame& frame = request.frame;
-  set_up(renderer, request);
   const Projection projection = make_projection(renderer.show().view, request.size_px, frame.field_of_view_deg);
   // A picture waits for its lens for at most patience_s, so that it appears soon after a seek. A
   // grid that takes longer is used by the next picture.
@@ -226,9 +218,6 @@ PictureAnswer render_for_output(const PictureRequest& asked) {
     show_own_eyes(renderer, request, moment, answer);
   }
   answer.reduced = renderer.reduced_baseline();
-  answer.turn = request.output.head ? request.output.head->turn : answer.turn;
-  answer.observer = asked.frame.pose;
-  answer.show_time_s = frame.time_s;
   if (request.errors_asked) {
     const auto begun = Clock::now();
     answer.errors_px = picture_errors(renderer, request, projection, moment);
@@ -240,6 +229,24 @@ PictureAnswer render_for_output(const PictureRequest& asked) {
     answer.disparity =
         frame_disparity(shown, frame.pose, projection, renderer.object_outlines(), renderer.hiding_objects());
   }
+  return answer;
+}
+
+}  // namespace
+
+PictureAnswer render_for_output(const PictureRequest& request) {
+  ShowRenderer& renderer = *request.renderer;
+  set_up(renderer, request);
+  if (!request.output.head) {
+    return render_request(request);
+  }
+  // Baked lenses are only for positions on the path, so a head moves off it only without them.
+  const double scale = renderer.stream_statistics() ? 0.0 : request.scale_per_m;
+  PictureRequest placed = request;
+  placed.frame.pose = head_pose(renderer.show(), request.frame.pose, *request.output.head, scale);
+  PictureAnswer answer = render_request(placed);
+  answer.turn = request.output.head->turn;
+  answer.observer = request.frame.pose;
   return answer;
 }
 

@@ -63,8 +63,8 @@ class NearFieldPlan {
 
   PlanWriter& plan_;
   bool shared_camera_;     //!< two eyes share a camera
-  NearFieldNeeds needs_;   //!< what is needed at some time of the show
-  NearFieldNeeds always_;  //!< what is needed at all times of the show
+  NearFieldNeeds needs_;   //!< needs at any time of the show
+  NearFieldNeeds always_;  //!< needs at all times of the show
 };
 
 bool NearFieldPlan::disk_edges_move() const {

@@ -18,7 +18,7 @@ namespace {
 
 //! Uniform locations of the shader; 1 and 2 belong to the tone.
 enum Location : GLint {
-  level_from_eye = 0,
+  sky_from_eye = 0,
   room_from_eye = 3,
   tangents = 4,
   eye_position = 5,
@@ -59,7 +59,8 @@ struct EyePainter::State {
 
 EyePainter::EyePainter() : state_(std::make_unique<State>()) {
   require_gl_45();
-  state_->program = linked_program(whole_viewport_source, std::string(tone_source) + eye_shader_source);
+  state_->program =
+      linked_program(whole_viewport_source, std::string(tone_source) + encoding_source + eye_shader_source);
   glCreateVertexArrays(1, &state_->vertex_array);
   glCreateTextures(GL_TEXTURE_CUBE_MAP, 1, &state_->black);
   glTextureStorage2D(state_->black, 1, GL_RGBA8, 1, 1);
@@ -109,8 +110,8 @@ void EyePainter::set_text(const std::string& text) {
 }
 
 void EyePainter::State::set_panels(const HeadsetScene& scene) const {
-  const glm::dvec3 forward(-std::sin(scene.facing), 0.0, -std::cos(scene.facing));
-  const glm::dvec3 right(std::cos(scene.facing), 0.0, -std::sin(scene.facing));
+  const glm::dvec3 forward(-std::sin(scene.facing_rad), 0.0, -std::cos(scene.facing_rad));
+  const glm::dvec3 right(std::cos(scene.facing_rad), 0.0, -std::sin(scene.facing_rad));
   const glm::dvec3 foot = glm::dvec3(scene.middle_m.x, scene.floor_m, scene.middle_m.z) + panel_distance_m * forward;
   const auto set = [&](int panel, double height_m, double half_width_m, double half_height_m) {
     const glm::vec3 middle(foot + glm::dvec3(0.0, height_m, 0.0));
@@ -146,7 +147,7 @@ void EyePainter::draw(const Panorama& panorama, int eye, const HeadsetEye& view,
   set_tone(panorama.tone());
   const glm::mat3 sky = matrix(glm::conjugate(panorama.turn()) * scene.level_from_room * view.turn);
   const glm::mat3 room = matrix(view.turn);
-  glUniformMatrix3fv(level_from_eye, 1, GL_FALSE, glm::value_ptr(sky));
+  glUniformMatrix3fv(sky_from_eye, 1, GL_FALSE, glm::value_ptr(sky));
   glUniformMatrix3fv(room_from_eye, 1, GL_FALSE, glm::value_ptr(room));
   glUniform4f(tangents, static_cast<float>(view.sides.left), static_cast<float>(view.sides.right),
               static_cast<float>(view.sides.down), static_cast<float>(view.sides.up));
@@ -154,7 +155,7 @@ void EyePainter::draw(const Panorama& panorama, int eye, const HeadsetEye& view,
   glUniform3fv(eye_position, 1, glm::value_ptr(position));
   glUniform2f(lighting, static_cast<float>(scene.light), static_cast<float>(std::exp2(scene.exposure_stops)));
   glUniform3i(flags, panorama.heat_map() ? 1 : 0, scene.rest_frame ? 1 : 0, encoded ? 1 : 0);
-  glUniform2f(vignette, static_cast<float>(scene.vignette), static_cast<float>(scene.vignette_inner));
+  glUniform2f(vignette, static_cast<float>(scene.vignette), static_cast<float>(scene.clear_half_angle_rad));
   glUniform3f(floor_middle, static_cast<float>(scene.middle_m.x), static_cast<float>(scene.floor_m),
               static_cast<float>(scene.middle_m.z));
   state.set_panels(scene);

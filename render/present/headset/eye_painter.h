@@ -22,10 +22,10 @@ struct HeadsetScene {
   bool rest_frame = true;                          //!< draws a ring and a floor grid that stand still in the room
   double floor_m = 0.0;                            //!< height of the floor in the room
   glm::dvec3 middle_m{0.0};                        //!< middle of the rest frame and the panels on the floor
-  double facing = 0.0;          //!< direction of the panels from there, to the left of the room's front [rad]
-  double vignette = 0.0;        //!< darkness outside of `vignette_inner`, 0 to 1
-  double vignette_inner = 1.0;  //!< half angle of the clear view [rad]
-  bool panels = true;           //!< draws captions and text
+  double facing_rad = 0.0;            //!< direction of the panels from there, to the left of the room's front
+  double vignette = 0.0;              //!< darkness outside the clear view, 0 to 1
+  double clear_half_angle_rad = 1.0;  //!< half angle of the clear view
+  bool panels = true;                 //!< draws captions and text
 };
 
 //! Draws eyes' views with OpenGL.

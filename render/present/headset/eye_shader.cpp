@@ -29,9 +29,6 @@ const float ring_radius = 2.5;
 const float ring_height = 1.0;   // above the floor
 const float line_m = 0.006;      // half of a line's width
 
-vec3 encoded(vec3 light) {
-  return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
-}
 vec3 decoded(vec3 value) {
   return mix(value / 12.92, pow((value + 0.055) / 1.055, vec3(2.4)), greaterThan(value, vec3(0.04045)));
 }

@@ -22,7 +22,7 @@ class HeadsetLost : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-//! What the runtime does with the session's frames.
+//! How the runtime treats the session's frames.
 enum class HeadsetState {
   waiting,  //!< the session has not begun, or was stopped; there are no frames
   hidden,   //!< frames are not shown, for example because nobody wears the headset

@@ -18,7 +18,7 @@ namespace {
 constexpr double spacetime_spins[] = {-1.0, -0.998, -0.5, 0.0, 0.01, 0.3, 0.9, 0.999999, 1.0};
 
 static_assert(std::is_trivially_copyable_v<Spacetime> && sizeof(Spacetime) == sizeof(double));
-static_assert(!std::is_convertible_v<double, Spacetime>, "a number alone does not say which spacetime it defines");
+static_assert(!std::is_convertible_v<double, Spacetime>, "a number alone does not define a spacetime");
 
 TEST(Spacetime, HorizonsAreTheRootsOfDelta) {
   for (const double spin : spacetime_spins) {
