@@ -24,7 +24,7 @@ namespace {
 constexpr double eye_height_m = 1.6;
 constexpr double usual_eye_distance_m = 0.063;
 //! Time between attempts to find a lost headset.
-constexpr double retry_s = 1.0;
+constexpr double search_again_s = 1.0;
 //! Time between pictures of the mirror, so that the headset gets most of the machine.
 constexpr double mirror_s = 0.033;
 //! Turn of the head after which the eyes of a stereo model get pictures for their new positions.
@@ -92,7 +92,7 @@ void HeadsetOutput::lose(const std::string& problem) {
   problem_ = problem;
   frame_.reset();
   session_.reset();
-  next_try_s_ = steady_seconds() + retry_s;
+  next_try_s_ = steady_seconds() + search_again_s;
 }
 
 void HeadsetOutput::connect() {

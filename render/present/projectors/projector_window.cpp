@@ -1,8 +1,7 @@
 #include "render/present/projectors/projector_window.h"
 
-#include <epoxy/gl.h>
-// GLFW's header must follow that of epoxy, which declares OpenGL.
 #include <GLFW/glfw3.h>
+#include <epoxy/gl.h>
 #include <fmt/format.h>
 
 #include <algorithm>

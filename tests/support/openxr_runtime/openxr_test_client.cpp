@@ -1,6 +1,8 @@
 // Shows frames through OpenXR's loader, without a mistake or with the one that a scenario names:
 //   openxr_test_client FOLDER SCENARIO[:MODE,...]...
 // The test runtime writes FOLDER/SCENARIO.jsonl and pictures.
+#include <GLFW/glfw3.h>
+
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -11,10 +13,6 @@
 #include <vector>
 
 #include "tests/support/openxr_runtime/openxr_glx.h"
-
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-#undef GLFW_INCLUDE_NONE
 
 namespace ergodome::openxr_test {
 
