@@ -66,7 +66,9 @@ void fit_to_headset(Show& show) {
   view.size_px = show.view.size_px;
   show.view = view;
   const std::optional<StereoModel> model = stereo_model(show.headset.stereo);
+  const double comfort_deg = show.stereo.comfort_deg;
   show.stereo = {};
+  show.stereo.comfort_deg = comfort_deg;
   show.stereo.layout = model ? StereoLayout::separate : StereoLayout::mono;
   show.stereo.model = model.value_or(show.stereo.model);
   std::erase_if(show.timeline.animations, [](const Animation& each) {

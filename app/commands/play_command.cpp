@@ -80,11 +80,10 @@ void use_setup(PlayArguments& arguments) {
 }
 
 //! Opens a headset. Without --size, pictures get the resolution of the headset.
-std::unique_ptr<DisplayOutput> open_headset(PlayArguments& arguments, const Show& show) {
+std::unique_ptr<DisplayOutput> open_headset(PlayArguments& arguments) {
   HeadsetOptions headset;
   headset.mirror.size = {960, 720};
   headset.mirror.full_screen = arguments.full_screen || arguments.exhibit;
-  headset.settings = show.headset;
   headset.may_be_absent = arguments.exhibit;
   auto output = std::make_unique<HeadsetOutput>(headset);
   arguments.options.size_px = arguments.size_given ? cube_faces * arguments.options.size_px : output->fitting_size_px();
@@ -95,7 +94,7 @@ std::unique_ptr<DisplayOutput> open_headset(PlayArguments& arguments, const Show
 //! by side in the window; those of quad_buffer and rows each fill it.
 std::unique_ptr<DisplayOutput> open_output(PlayArguments& arguments, const Show& show) {
   if (arguments.headset) {
-    return open_headset(arguments, show);
+    return open_headset(arguments);
   }
   const Projection projection = make_projection(show.view, arguments.options.size_px, 0.0);
   const StereoLayout layout = show.stereo.layout;

@@ -110,6 +110,8 @@ void Player::begin(const Show& show, bool free_flight) {
   const bool dark = exhibit_ && session_ && session_->playback().dark();
   session_.emplace(show, session_options(options_, free_flight, *output_));
   eye_notice_.begin();
+  disparity_limit_.begin();
+  output_->set_headset(show.headset);
   pulses_.begin();
   session_->show_times(options_.times_shown);
   // The attract show is not a visitor's flight.
@@ -266,6 +268,8 @@ void Player::add_head(PictureRequest& wish) {
   if (!session_->playback().baseline()) {
     wish.frame.stereo.baseline = wish.scale_per_m * head.eye_distance_m;
   }
+  wish.frame.stereo.baseline *= disparity_limit_.factor();
+  wish.disparity_asked = eye_count(wish.frame.stereo) > 1 && disparity_limit_.is_due(session_->now_s());
   head_baseline_ = wish.frame.stereo.baseline;
 }
 
@@ -277,6 +281,7 @@ void Player::note(PictureNews news) {
     session_->playback().note_shown(session_->playback().instant());
     note_light();
     report_reduced_baseline();
+    limit_disparity();
   }
   if (!first_answer_) {
     first_answer_ = Clock::now();
@@ -297,6 +302,21 @@ void Player::report_reduced_baseline() {
     session_->say(line_of(*eyes, session_->playback().language()));
   }
   services_.report(spdlog::level::warn, note_of(session_->show(), session_->frame().time_s, *eyes, chosen));
+}
+
+void Player::limit_disparity() {
+  const std::optional<Disparity>& disparity = pictures_.report().disparity;
+  if (!output_wish_.head || !disparity) {
+    return;
+  }
+  const double comfort_deg = session_->frame().stereo.comfort_deg;
+  disparity_limit_.note(disparity->range_deg(), comfort_deg);
+  if (disparity_limit_.take_news()) {
+    services_.report(spdlog::level::warn,
+                     fmt::format("the disparities of {:.3g}° exceed stereo.comfort_deg ({:.3g}°); the distance between "
+                                 "the eyes is reduced until they are smaller",
+                                 disparity->range_deg(), comfort_deg));
+  }
 }
 
 void Player::keep_recording(RecordingMoment moment) {
@@ -346,6 +366,7 @@ void Player::reload(bool now) {
 
 void Player::take_version(const Show& show) {
   session_->set_show(show);
+  output_->set_headset(show.headset);
   services_.take_version(show);
   if (exhibit_) {
     exhibit_->renew(show);

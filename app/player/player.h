@@ -13,6 +13,7 @@
 #include "app/pads/hid/hid_api.h"
 #include "app/player/eye_notice.h"
 #include "app/player/frame_times.h"
+#include "app/player/outputs/disparity_limit.h"
 #include "app/player/outputs/headset_pad.h"
 #include "app/player/outputs/threshold_pulses.h"
 #include "app/player/player_inputs.h"
@@ -91,6 +92,8 @@ class Player {
   //! Adds the scale of a viewer's head, and the baseline of its eyes, to a request.
   void add_head(PictureRequest& wish);
   void report_reduced_baseline();
+  //! Takes the disparities of the last picture for a viewer's eyes, if they were measured.
+  void limit_disparity();
   //! `arrived`: a visitor began to look at the output in this frame.
   void advance_exhibit(PlayerInput& input, bool arrived);
   void change_scene();
@@ -126,6 +129,7 @@ class Player {
   double head_baseline_ = 0.0;     //!< baseline of a viewer's eyes in the last request [M]
   glm::dvec3 head_offset_m_{0.0};  //!< ViewerHead::offset_m of the last request
   EyeNotice eye_notice_;
+  DisparityLimit disparity_limit_;  //!< of a viewer's eyes
   std::optional<PlayerSession> session_;
   PlayerInputs inputs_;
   PadHub pads_;

@@ -15,7 +15,7 @@ SessionPictures::SessionPictures(const RendererLoader::Make& make, Output& outpu
 PictureNews SessionPictures::advance(const PlayerSession& session, PictureRequest wish, bool changed) {
   constexpr int max_failures = 5;
   wish.renderer = renderers_.current();
-  wish.disparity_asked = session.times_shown();
+  wish.disparity_asked = wish.disparity_asked || session.times_shown();
   add_budget(wish, session.now_s());
   const bool resized = std::exchange(window_, wish.output.window) != wish.output.window;
   const std::optional<PictureHead> head =

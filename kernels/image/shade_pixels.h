@@ -36,6 +36,9 @@ struct ShadeBatch {
   //! light on input, in the format of cube map texels.
   float* rgba;
   int count;  //!< number of pixels; whole rows
+  //! True: the fourth channel is 0 instead of the coverage, and what is drawn over the sky adds its
+  //! opacity.
+  bool opacity = false;
 };
 
 //! Returns the work counter's name for a variant of shading the sky; each variant is compiled

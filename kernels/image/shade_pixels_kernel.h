@@ -63,7 +63,7 @@ struct ShadeSky {
       } else {
         store_quad(to, light.pixel[i]);
       }
-      to[3] = lane(coverage, i);
+      to[3] = batch.opacity ? 0.0F : lane(coverage, i);
     }
   }
 

@@ -43,6 +43,7 @@ class EyeRenderer::Making {
     count_work("buffer: finished picture", static_cast<long>(picture_.rgba.size() * sizeof(float)));
     picture_.lens = sky_.lens().name();
     picture_.behind = sky_.lens().behind();
+    picture_.stars = wanted.settings.stars_apart;
   }
 
   [[nodiscard]] int block_rows() const { return block_rows_; }
@@ -183,7 +184,7 @@ BackendPicture EyeRenderer::render_in_place(const EyeCamera& eye, const Projecti
     drawing->draw(all, memory);
   }
   finish_in_place(wanted, drawings);
-  return {rgba_.data(), lens_and_sky.lens().name(), lens_and_sky.lens().behind()};
+  return {rgba_.data(), lens_and_sky.lens().name(), lens_and_sky.lens().behind(), settings.stars_apart};
 }
 
 void EyeRenderer::finish(Picture& picture, const EyePicture& wanted) {

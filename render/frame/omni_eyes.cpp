@@ -78,6 +78,9 @@ StereoPictures OmniEyes::render(EyeRenderer& renderer, const CameraPose& pose, c
   for (const std::shared_ptr<const OmniEye>& eye : fitting.pair) {
     const auto lens = lenses_.choose(eye, head.projection, settings.mode, settings.lens, settings.accuracy);
     settings.given = lens.get();
+    if (settings.stars_apart) {
+      settings.stars_apart = std::make_shared<StarLights>(*head.settings.stars_apart);
+    }
     if (turns) {
       settings.omni = eye;
       if (needs_polygons(show, settings.mode)) {

@@ -43,6 +43,21 @@ bool same_map(const Show& a, const Show& b) {
          a.sky.filter == b.sky.filter && a.sky.shift == b.sky.shift && a.effects.redshift == b.effects.redshift;
 }
 
+//! Returns whether passes read whole pictures in host memory after everything is drawn: for bloom, a
+//! vignette or automatic exposure.
+bool reads_finished_pictures(const Show& show) {
+  return std::ranges::any_of(frame_passes(), [&](const PassKind& kind) {
+    return kind.stage >= PassStage::finished && kind.in_host_memory && kind.draws(show, ViewMode::sky);
+  });
+}
+
+//! See ShowRenderer::set_stars_apart().
+bool stars_may_be_apart(const Show& show, ViewMode mode) {
+  const StarNeeds needs = star_needs(show, mode);
+  return needs.stars && !needs.trails && !needs.spikes && show.timeline.overlays.empty() &&
+         !reads_finished_pictures(show);
+}
+
 }  // namespace
 
 ShowRenderer::ShowRenderer(const Show& show, Backend backend, LensChoice lens, std::shared_ptr<StationStream> stream)
@@ -190,6 +205,9 @@ PictureSettings ShowRenderer::picture_settings(const CameraPose& pose, ViewMode 
   settings.scheme = show_.grid_scheme;
   settings.show = &show_;
   settings.passes = passes_.of_pictures(show_, mode);
+  if (star_pixel_ > 0.0 && stars_may_be_apart(show_, mode)) {
+    settings.stars_apart = std::make_shared<StarLights>(StarLights{.pixel = star_pixel_, .stars = {}});
+  }
   const bool shells = near_field_needs(show_, mode).shells;
   if (follows_rays(mode) && (method_ || shells)) {
     require_rays_from(pose);
@@ -268,10 +286,7 @@ void ShowRenderer::note_baseline(const CameraPose& pose, double baseline) {
 }
 
 bool ShowRenderer::may_stay_in_place(ViewMode mode) const {
-  const auto keeps_from_gpu = [&](const PassKind& kind) {
-    return kind.stage >= PassStage::finished && kind.in_host_memory && kind.draws(show_, ViewMode::sky);
-  };
-  if (backend() == Backend::cpu || std::ranges::any_of(frame_passes(), keeps_from_gpu)) {
+  if (backend() == Backend::cpu || reads_finished_pictures(show_)) {
     return false;
   }
   const StereoSettings& stereo = show_.stereo;

@@ -134,6 +134,12 @@ class ShowRenderer {
   std::unique_ptr<LensSource> lens_of(const CameraPose& pose, const Projection& projection,
                                       const ShowMoment& moment = {});
 
+  //! Lets the pictures that follow pass their stars apart (Picture::stars), for an output whose
+  //! pixels have the angle `pixel` [rad]; 0: draws them. They are drawn in any case if they leave
+  //! trails or have spikes, and under overlays, and if bloom, a vignette or automatic exposure
+  //! needs their light.
+  void set_stars_apart(double pixel) { star_pixel_ = pixel; }
+
   //! Sets exposure stops that are added to the show's.
   void set_exposure(double stops) { exposure_stops_ = stops; }
 
@@ -209,6 +215,7 @@ class ShowRenderer {
   double baseline_ = 0.0;  //!< baseline with which the last picture was rendered [M]
   std::optional<ReducedBaseline> reduced_baseline_;
   double exposure_stops_ = 0.0;
+  double star_pixel_ = 0.0;  //!< set_stars_apart()
   double time_s_ = 0.0;                //!< show time of the current animated numbers
   std::optional<TraceMethod> method_;  //!< ViewChoice::method of the current pictures
   std::optional<ViewRange> range_;     //!< ViewChoice::range of the current pictures

@@ -212,6 +212,7 @@ Picture joined_eyes(const Picture& left, const Picture& right, StereoLayout layo
 Picture copied_picture(const Picture& picture) {
   Picture made = frame_like(picture, {picture.width, picture.height});
   made.behind = picture.behind;
+  made.stars = picture.stars;
   made.rgba.resize(numbers_of(made));
   copy_to(made, picture, 0, 0);
   return made;

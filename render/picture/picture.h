@@ -1,6 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "kernels/image/shade_pixels.h"
 #include "kernels/image/tone_curve.h"
@@ -28,6 +30,21 @@ struct HeatRange {
 //! `logarithmic_steps` is set, for numbers of steps; otherwise logarithmic.
 HeatRange heat_range(ViewMode mode, bool logarithmic_steps = false);
 
+//! Light of a star's image, as an eye sees it.
+struct StarLight {
+  Vector3<float> direction;  //!< unit vector in the picture's view axes (x right, y up, z back)
+  //! Linear light in units of the picture's light times a solid angle [sr].
+  Vector3<float> light;
+};
+
+//! Stars that an output draws, because its pixels or view directions are not those of the picture.
+struct StarLights {
+  double pixel = 0.0;      //!< angle of the output's pixels, for which images are sought [rad]
+  double sigma_px = 0.0;   //!< standard deviation of their spots in the output's pixels
+  double cutoff_px = 0.0;  //!< radius at which spots end
+  std::vector<StarLight> stars;
+};
+
 //! One eye's picture: linear light, four floats per pixel (red, green, blue, coverage), top row
 //! first.
 struct Picture {
@@ -41,6 +58,9 @@ struct Picture {
   long unresolved_pixels = 0;
   std::optional<HeatRange> heat_range;
   Tone tone;  //!< tone settings with which the picture is to be displayed
+  //! Stars that are not in the picture. If given, the fourth channel is not coverage but opacity:
+  //! the fraction of the stars' light that is covered.
+  std::shared_ptr<const StarLights> stars;
 };
 
 //! A picture in the backend's memory: four floats per pixel.
@@ -48,6 +68,7 @@ struct BackendPicture {
   float* rgba = nullptr;
   const char* lens = "";  //!< source of the lens: LensSource::name()
   bool behind = false;
+  std::shared_ptr<const StarLights> stars;  //!< as in Picture
 };
 
 //! Whether an image is the whole frame or that of one eye.
@@ -77,6 +98,9 @@ struct DevicePicture {
   int height_px = 0;
   bool heat_map = false;
   Tone tone;
+  //! As in Picture, for both pictures.
+  std::shared_ptr<const StarLights> stars;
+  std::shared_ptr<const StarLights> right_stars;
 };
 
 }  // namespace ergodome

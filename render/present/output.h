@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "content/camera/camera_path.h"
+#include "content/show/headset_settings.h"
 #include "kernels/projection/projection.h"
 #include "render/output/stereo_layout.h"
 #include "render/passes/overlay/caption_layer.h"
@@ -66,6 +67,12 @@ struct OutputWish {
   //! Stops of the frame before, from which automatic exposure continues. Absent: those of the last
   //! frame that was rendered.
   std::optional<double> stops_before;
+  //! Angle of the output's pixels [rad] if it draws the stars itself (Picture::stars); 0: stars are
+  //! part of the pictures.
+  double star_pixel = 0.0;
+  //! Time between frames of the output, in which a GPU shall render the picture of a moving camera
+  //! [s]: its size is reduced for that, to at least `smallest_px`. 0: GPUs render the whole size.
+  double frame_s = 0.0;
   //! Time from now until the frame is displayed [s]. If the show plays, it is rendered for that
   //! time.
   double display_delay_s = 0.0;
@@ -136,6 +143,8 @@ class DisplayOutput : public Output {
   //! picture.
   [[nodiscard]] virtual bool is_dome() const { return false; }
 
+  //! Sets the settings of a headset, when a show begins and when it was read again.
+  virtual void set_headset(const HeadsetSettings& /*settings*/) {}
   //! Turns the surroundings of a viewer whose head an output follows. `rate`: -1 to 1, positive to
   //! the right.
   virtual void turn_viewer(double /*rate*/) {}

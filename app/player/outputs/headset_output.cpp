@@ -66,7 +66,6 @@ HeadsetOutput::HeadsetOutput(const HeadsetOptions& options)
               std::min(options.mirror.size.height, options.mirror.largest.height), "Ergodome",
               options.mirror.full_screen),
       eyes_(standing_eyes()),
-      comfort_(options.settings),
       advanced_s_(steady_seconds()) {
   // An obscured window that waits for its refresh would slow down the headset.
   window_.swap_at_once();
@@ -137,7 +136,10 @@ OutputWish HeadsetOutput::wish() {
   }
   OutputWish wish;
   wish.display_delay_s = frame_ ? frame_->delay_s : 0.0;
+  wish.frame_s = frame_ ? frame_->period_s : 0.0;
   wish.smallest_px = cube_faces * smallest_face_px;
+  // Views of most headsets are about as wide as a face of the cube.
+  wish.star_pixel = 2.0 / std::max(session_ ? session_->eye_size().width : size().width, smallest_face_px);
   wish.caption_panel = CaptionPanel{{caption_panel_px, static_cast<int>(caption_panel_px / caption_panel_aspect)},
                                     caption_panel_half_width};
   ViewerHead& head = wish.head.emplace();
@@ -146,7 +148,7 @@ OutputWish HeadsetOutput::wish() {
   const double distance_m = glm::length(eyes_[1].position_m - eyes_[0].position_m);
   // Rounded, so that the noise of tracking causes no new pictures.
   head.eye_distance_m = distance_m > 0.0 ? 5e-4 * std::round(distance_m / 5e-4) : usual_eye_distance_m;
-  const HeadsetStereo stereo = options_.settings.stereo;
+  const HeadsetStereo stereo = settings_.stereo;
   if (stereo == HeadsetStereo::flat || stereo == HeadsetStereo::physical) {
     const double heading = heading_of(head.look);
     if (std::abs(std::remainder(heading - turn_step_, full_turn)) > turn_step_rad) {
@@ -164,6 +166,11 @@ void HeadsetOutput::take(OutputFrame& frame) {
 }
 
 glm::dquat HeadsetOutput::level_from_room() const { return about_up(first_yaw_ - comfort_state_.yaw_rad - facing_); }
+
+void HeadsetOutput::set_headset(const HeadsetSettings& settings) {
+  settings_ = settings;
+  comfort_.change(settings);
+}
 
 void HeadsetOutput::turn_viewer(double rate) {
   turn_rate_ = rate;
@@ -207,13 +214,13 @@ HeadsetScene HeadsetOutput::scene() const {
   scene.level_from_room = level_from_room();
   scene.light = light_ * comfort_state_.light;
   scene.exposure_stops = comfort_state_.exposure_stops - std::log2(std::max(panorama_.tone().gain, 1e-30F));
-  scene.rest_frame = options_.settings.rest_frame;
+  scene.rest_frame = settings_.rest_frame;
   scene.floor_m = session_ && session_->origin() == HeadsetOrigin::head ? -eye_height_m : 0.0;
   scene.middle_m = middle_m_;
   scene.facing_rad = facing_;
   scene.vignette = comfort_state_.vignette;
   scene.clear_half_angle_rad = comfort_state_.clear_half_angle_rad;
-  scene.panels = options_.settings.panel;
+  scene.panels = settings_.panel;
   return scene;
 }
 

@@ -18,7 +18,6 @@ namespace ergodome {
 
 struct HeadsetOptions {
   WindowOptions mirror;  //!< window that shows an operator the left eye's view
-  HeadsetSettings settings;
   //! True: without a headset, the show runs in the window until one is connected.
   bool may_be_absent = false;
 };
@@ -45,6 +44,7 @@ class HeadsetOutput : public DisplayOutput {
   void set_title(const std::string& title) override { window_.set_title(title); }
   void set_text(PanelPosition position, const std::string& text) override;
   void save_screenshot(const std::string& file) override;
+  void set_headset(const HeadsetSettings& settings) override;
   void turn_viewer(double rate) override;
   [[nodiscard]] std::optional<HeadsetHands> hands() override;
   void pulse(double seconds, double strength) override;
@@ -69,6 +69,7 @@ class HeadsetOutput : public DisplayOutput {
   [[nodiscard]] glm::dquat level_from_room() const;
 
   HeadsetOptions options_;
+  HeadsetSettings settings_;
   Window window_;
   Panorama panorama_;
   EyePainter painter_;
@@ -86,7 +87,7 @@ class HeadsetOutput : public DisplayOutput {
   double first_yaw_ = 0.0;    //!< ComfortState::yaw_rad at that time
   double turn_step_ = 0.0;    //!< direction between the eyes in the last wish, in level axes [rad]
 
-  HeadsetComfort comfort_;
+  HeadsetComfort comfort_{settings_};
   ComfortState comfort_state_;
   SnapTurns snap_turns_;
   int snap_steps_ = 0;

@@ -37,11 +37,17 @@ PadState pad_of(const HeadsetHands& hands, const PadState& before) {
   using enum PadButton;
   const auto& [left, right] = hands;
   PadState pad;
-  axis_of(pad, PadAxis::left_x) = static_cast<float>(left.stick_x);
   const double pinched = (right.has_stick ? 0.0 : right.trigger) - (left.has_stick ? 0.0 : left.trigger);
-  axis_of(pad, PadAxis::left_y) = static_cast<float>(std::clamp(left.stick_y + pinched, -1.0, 1.0));
-  axis_of(pad, PadAxis::right_x) = static_cast<float>(right.stick_x);
-  axis_of(pad, PadAxis::right_y) = static_cast<float>(right.stick_y);
+  if (left.connected && right.connected) {
+    axis_of(pad, PadAxis::left_x) = static_cast<float>(left.stick_x);
+    axis_of(pad, PadAxis::left_y) = static_cast<float>(std::clamp(left.stick_y + pinched, -1.0, 1.0));
+    axis_of(pad, PadAxis::right_x) = static_cast<float>(right.stick_x);
+    axis_of(pad, PadAxis::right_y) = static_cast<float>(right.stick_y);
+  } else {
+    const HeadsetHand& only = left.connected ? left : right;
+    axis_of(pad, PadAxis::left_y) = static_cast<float>(std::clamp(only.stick_y + pinched, -1.0, 1.0));
+    axis_of(pad, PadAxis::right_x) = static_cast<float>(only.stick_x);
+  }
   const std::span<float> axes(pad.axes);
   shape_radially(axes.subspan(0, 2), PadProfile().left_stick);
   shape_radially(axes.subspan(2, 2), PadProfile().right_stick);

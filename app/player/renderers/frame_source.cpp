@@ -70,6 +70,7 @@ void set_up(ShowRenderer& renderer, const PictureRequest& request) {
   renderer.set_observer(frame.observer.motion, frame.observer.velocity);
   renderer.set_exposure(frame.exposure_stops);
   renderer.set_stereo(frame.stereo);
+  renderer.set_stars_apart(request.output.star_pixel);
   if (request.quality) {
     FrameQuality quality = *request.quality;
     quality.budget_px *= static_cast<double>(request.size_px) / request.whole_px;
@@ -168,7 +169,9 @@ void show_in_place(ShowRenderer& renderer, const PlayerFrame& frame, const Proje
                       projection.width_px,
                       projection.height_px,
                       frame.mode != ViewMode::sky,
-                      renderer.tone()};
+                      renderer.tone(),
+                      eyes.first.stars,
+                      eyes.right ? eyes.right->stars : nullptr};
 }
 
 //! Renders the eyes of the show's stereo settings, and the captions over them.

@@ -33,7 +33,9 @@ PictureNews PictureFlow::advance(const PictureRequest& wish, bool changed, bool 
   if (!source_.idle()) {
     return news;
   }
-  const bool whole = wish.renderer && wish.renderer->backend() != Backend::cpu;
+  const bool on_gpu = wish.renderer && wish.renderer->backend() != Backend::cpu;
+  const bool whole = on_gpu && !(wish.output.frame_s > 0.0);
+  budget_ms_ = on_gpu && !whole ? 1000.0 * wish.output.frame_s : moving_budget_ms;
   if (pending_) {
     if (!moving || !pace_ || pace_->is_due(now_())) {
       moving_size_px_ = std::max(moving_size_px_, wish.output.smallest_px);
@@ -101,7 +103,7 @@ PictureNews PictureFlow::receive() {
   pending_ = pending_ || answer->picture.behind;
   refining_ = true;
   // Time is proportional to the number of pixels. Takes a damped step toward the width that fits.
-  const double wished = answer->size_px * std::sqrt(moving_budget_ms / std::max(answer->time_ms, 1.0));
+  const double wished = answer->size_px * std::sqrt(budget_ms_ / std::max(answer->time_ms, 1.0));
   moving_size_px_ =
       std::clamp(static_cast<int>(0.5 * (moving_size_px_ + wished)), std::min(smallest_px_, finest_px_), finest_px_);
   note_interval();

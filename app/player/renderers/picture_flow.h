@@ -43,7 +43,8 @@ enum class PictureNews { none, picture, problem, hang };
 //! Brings pictures to a screen; they are rendered on another thread.
 //!
 //! On the CPU, pictures are as wide as ten or more per second allow while something moves, and get
-//! finer when nothing moves. On a GPU, each picture is rendered at full size.
+//! finer when nothing moves. On a GPU, each picture is rendered at full size, unless the output has a
+//! rate of its own (OutputWish::frame_s).
 class PictureFlow {
  public:
   //! `show` passes a finished picture to the screen, on the caller's thread. `finest_px` is the
@@ -76,9 +77,10 @@ class PictureFlow {
   FrameSource source_;
   bool pending_ = true;       //!< a change was not requested yet
   bool refining_ = false;     //!< the last picture is current but may become finer
-  int moving_size_px_ = 256;  //!< width at which a picture takes about `moving_budget_ms`
+  int moving_size_px_ = 256;  //!< width at which a picture takes about `budget_ms_`
   int asked_size_px_ = 0;
-  int smallest_px_ = 0;  //!< OutputWish::smallest_px of the current request
+  int smallest_px_ = 0;     //!< OutputWish::smallest_px of the current request
+  double budget_ms_ = 0.0;  //!< time of a moving picture that determines the size of the next one
   SecondsSource now_;
   std::optional<PictureHold> hold_;
   std::optional<FramePace> pace_;        //!< the pace to hold, if any

@@ -60,9 +60,11 @@ void mask_square(Picture& picture, const ProjectionOf<float>& projection, const 
     float* pixel = picture.rgba.data() + 4 * (static_cast<std::ptrdiff_t>(y) * picture.width + square.left);
     for (int x = square.left; x < square.right; ++x, pixel += 4) {
       const float left = light_left(projection, static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, head, eye);
-      for (int c = 0; c < 4; ++c) {
+      for (int c = 0; c < 3; ++c) {
         pixel[c] *= left;
       }
+      // The fourth channel is coverage, or opacity in front of the stars.
+      pixel[3] = picture.stars ? 1.0F - left * (1.0F - pixel[3]) : left * pixel[3];
     }
   }
 }

@@ -16,9 +16,10 @@ namespace ergodome {
 
 namespace {
 
-//! Composites a tile, stored with its bottom row first, over a picture.
+//! Composites a tile, stored with its bottom row first, over a picture. `adds_opacity`: also over its
+//! fourth channel; see Picture::stars.
 void lay_over(const std::vector<float>& drawn, const PictureTile& tile, const PixelCell& cell,
-              const Projection& projection, float* rgba) {
+              const Projection& projection, bool adds_opacity, float* rgba) {
   parallel_for(tile.height_px, 16, [&](int begin, int end) {
     for (int row = begin; row < end; ++row) {
       const int y = cell.top_px + tile.top_px + row;
@@ -33,6 +34,9 @@ void lay_over(const std::vector<float>& drawn, const PictureTile& tile, const Pi
         for (int k = 0; k < 3; ++k) {
           to[k] = (1.0F - from[3]) * to[k] + inside * from[k];
         }
+        if (adds_opacity) {
+          to[3] = (1.0F - from[3]) * to[3] + inside * from[3];
+        }
       }
     }
   });
@@ -46,7 +50,7 @@ class ObjectPassDrawing : public PassDrawing {
   void finish(Picture& picture) override {
     const PictureSettings& settings = picture_.settings;
     pass_.draw(picture_.eye, picture_.projection, settings.time_s, picture.rgba.data(), settings.omni_view.get(),
-               settings.shared ? settings.shared->offset : 0.0);
+               settings.shared ? settings.shared->offset : 0.0, settings.stars_apart != nullptr);
   }
 
  private:
@@ -125,7 +129,7 @@ RadialRange ObjectPass::place_objects(double time_s) {
 }
 
 void ObjectPass::draw(const EyeCamera& eye, const Projection& projection, double time_s, float* rgba,
-                      const OmniView* omni, double beside) {
+                      const OmniView* omni, double beside, bool adds_opacity) {
   static WorkCounter counter("draw_objects");
   const WorkScope scope(counter, static_cast<long>(projection.width_px) * projection.height_px);
   const RadialRange range = place_objects(time_s);
@@ -138,7 +142,7 @@ void ObjectPass::draw(const EyeCamera& eye, const Projection& projection, double
         const PictureTile tile{left, top, std::min(ObjectTarget::longest_side_px, own.width_px - left),
                                std::min(ObjectTarget::longest_side_px, own.height_px - top)};
         gl_.run([&] { drawing_->draw(scene, own, tile, drawn); });
-        lay_over(drawn, tile, region.cell, projection, rgba);
+        lay_over(drawn, tile, region.cell, projection, adds_opacity, rgba);
       }
     }
   }

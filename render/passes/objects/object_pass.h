@@ -32,9 +32,9 @@ class ObjectPass : public Pass {
   //!
   //! `omni`: parameters of an omnidirectional stereo eye, for which `eye` is the head; otherwise
   //! nullptr. `beside`: for an eye of the model `flat`, its distance to the right of the head `eye`
-  //! [M]; otherwise 0.
+  //! [M]; otherwise 0. `adds_opacity`: the fourth channel is opacity; see Picture::stars.
   void draw(const EyeCamera& eye, const Projection& projection, double time_s, float* rgba,
-            const OmniView* omni = nullptr, double beside = 0.0);
+            const OmniView* omni = nullptr, double beside = 0.0, bool adds_opacity = false);
 
   //! Returns the objects' outlines at a show time.
   [[nodiscard]] std::vector<PlacedOutline> outlines(double time_s) const {

@@ -53,6 +53,7 @@ ShadeBatch shading_for(const EyePicture& picture, const SkyCube& sky) {
                    1.0F,
                    nullptr,
                    0};
+  shade.opacity = settings.stars_apart != nullptr;
   if (settings.mode != ViewMode::sky) {
     set_kernel_range(shade, heat_range(settings));
   }

@@ -85,6 +85,14 @@ bool same_spikes(const Show& a, const Show& b) {
          one->blades == other->blades && one->vanes == other->vanes && one->size_px == other->size_px;
 }
 
+StarEye eye_of(const EyePicture& picture) {
+  return picture.settings.omni ? StarEye(picture.settings.omni) : StarEye(picture.eye);
+}
+
+PixelMatch match_of(const EyePicture& picture) {
+  return picture.settings.moment.patience_s < ShowMoment::forever_s ? PixelMatch::about : PixelMatch::exact;
+}
+
 }  // namespace
 
 //! The stars of one picture.
@@ -117,10 +125,7 @@ class StarPass::Drawing : public PassDrawing {
 
   FoundPoints find() const {
     const UrgentDeviceWork urgent(pass_.backend_);
-    const PictureSettings& settings = picture_.settings;
-    const StarEye eye = settings.omni ? StarEye(settings.omni) : StarEye(picture_.eye);
-    const PixelMatch match = settings.moment.patience_s < ShowMoment::forever_s ? PixelMatch::about : PixelMatch::exact;
-    return pass_.find_points(eye, picture_.projection, settings.shutter, match);
+    return pass_.find_points(eye_of(picture_), picture_.projection, picture_.settings.shutter, match_of(picture_));
   }
 
   //! Passes the points to TiledStars, which draws on a GPU. Points in host memory are copied to the
@@ -140,11 +145,36 @@ class StarPass::Drawing : public PassDrawing {
   std::future<FoundPoints> seeking_;
 };
 
+//! The stars of one picture that an output draws.
+class StarPass::ApartDrawing : public PassDrawing {
+ public:
+  ApartDrawing(StarPass& pass, const EyePicture& picture)
+      : lights_(*picture.settings.stars_apart),
+        seeking_(std::async(pass.backend_ == Backend::cpu ? std::launch::deferred : std::launch::async,
+                            [&pass, &picture, pixel = lights_.pixel] {
+                              const UrgentDeviceWork urgent(pass.backend_);
+                              return pass.lights(eye_of(picture), picture.projection, pixel, match_of(picture));
+                            })) {}
+
+  void draw(const RowBlock& /*rows*/, float* /*rgba*/) override {
+    if (seeking_.valid()) {
+      lights_ = seeking_.get();
+    }
+  }
+
+ private:
+  StarLights& lights_;
+  std::future<StarLights> seeking_;
+};
+
 std::unique_ptr<Pass> make_star_pass(const PassInput& input) {
   return input.show.sky.stars.empty() ? nullptr : std::make_unique<StarPass>(input.show, input.backend);
 }
 
 std::unique_ptr<PassDrawing> StarPass::prepare(const EyePicture& picture) {
+  if (picture.settings.stars_apart) {
+    return std::make_unique<ApartDrawing>(*this, picture);
+  }
   return std::make_unique<Drawing>(*this, picture);
 }
 
@@ -357,10 +387,36 @@ std::vector<StarPoint> StarPass::find(const StarEye& eye, const Projection& proj
                ? trail_points(star_trails(found, field_, *shutter, settings.pixel), *shutter, projection, splat, order_)
                : star_points(found, eye.camera, projection, splat, order_);
   };
+  return points_of(images_of(eye, projection, settings));
+}
+
+const std::vector<StarImage>& StarPass::images_of(const StarEye& eye, const Projection& projection,
+                                                  const StarSettings& settings) {
   if (gathers(eye, settings.pixel)) {
-    return points_of(gathered_images(eye, projection, settings));
+    gathered_ = gathered_images(eye, projection, settings);
+    return gathered_;
   }
-  return points_of(images_.images(eye, settings, [&](const StarSettings& asked) { return sought_images(eye, asked); }));
+  return images_.images(eye, settings, [&](const StarSettings& asked) { return sought_images(eye, asked); });
+}
+
+StarLights StarPass::lights(const StarEye& eye, const Projection& projection, double pixel, PixelMatch match) {
+  StarLights lights{pixel, splat_.sigma_px, splat_.reach_px() - 1.0, {}};
+  if (field_.stars().empty()) {
+    return lights;
+  }
+  StarSettings settings = settings_for(eye, projection, false, match);
+  settings.pixel = pixel;
+  const std::vector<StarImage>& images = images_of(eye, projection, settings);
+  lights.stars.reserve(images.size());
+  const auto along = [&](const Vector3<float>& n, int axis) {
+    const double(&rows)[3][3] = eye.camera.frame_from_view;
+    return static_cast<float>(n.x * rows[0][axis] + n.y * rows[1][axis] + n.z * rows[2][axis]);
+  };
+  for (const StarImage& image : images) {
+    const Vector3<float>& n = image.direction;
+    lights.stars.push_back({{along(n, 0), along(n, 1), along(n, 2)}, splat_.scale * image.illuminance});
+  }
+  return lights;
 }
 
 void StarPass::draw(const std::vector<StarPoint>& points, const Projection& projection, int first_row, int row_count,

@@ -78,6 +78,10 @@ class StarPass : public Pass {
   FoundPoints find_points(const StarEye& eye, const Projection& projection, const std::optional<Shutter>& shutter,
                           PixelMatch match);
 
+  //! Finds the star images of an eye for an output that draws them (Picture::stars). `pixel`: angle
+  //! of its pixels [rad].
+  StarLights lights(const StarEye& eye, const Projection& projection, double pixel, PixelMatch match);
+
   //! splat_for() returns how points are drawn for a projection. spikes() returns the pattern of
   //! spikes, nullptr if the show has none.
   [[nodiscard]] SplatSettings splat_for(const Projection& projection) const { return scaled_to(splat_, projection); }
@@ -89,6 +93,7 @@ class StarPass : public Pass {
 
  private:
   class Drawing;
+  class ApartDrawing;
 
   StarPass(const Show& show, Backend backend, const StarCatalogue& catalogue);
 
@@ -100,6 +105,9 @@ class StarPass : public Pass {
   //! lens grid displaces the shadow's edge and thus the images beside it.
   [[nodiscard]] bool gathers(const StarEye& eye, double pixel);
 
+  //! Returns the images that `settings` asks for, of the last pictures if possible. The reference is
+  //! valid until the next call.
+  const std::vector<StarImage>& images_of(const StarEye& eye, const Projection& projection, const StarSettings& settings);
   std::vector<StarImage> sought_images(const StarEye& eye, const StarSettings& settings);
   PlacedImages sought_in_place(const StarEye& eye, const StarSettings& settings);
   std::vector<StarImage> gathered_images(const StarEye& eye, const Projection& projection,
@@ -145,6 +153,7 @@ class StarPass : public Pass {
   PatchRoom room_;
   StarImageCache<std::vector<StarImage>> images_;
   StarImageCache<PlacedImages> images_in_place_;
+  std::vector<StarImage> gathered_;  //!< images that pixels gathered, of the last picture
   //! Merges images that a GPU found; set only on a GPU backend.
   std::optional<ImageJoiner> joiner_;
   std::optional<PointPlacer> placer_;

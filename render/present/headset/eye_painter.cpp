@@ -11,6 +11,7 @@
 #include "render/output/text_image.h"
 #include "render/present/caption_texture.h"
 #include "render/present/headset/eye_shader.h"
+#include "render/present/headset/star_view.h"
 
 namespace ergodome {
 
@@ -53,6 +54,7 @@ struct EyePainter::State {
   int text_height = 0;
   std::string words;
   CaptionTexture captions;
+  StarView stars;
 
   void set_panels(const HeadsetScene& scene) const;
 };
@@ -134,9 +136,15 @@ void EyePainter::State::set_panels(const HeadsetScene& scene) const {
 
 void EyePainter::draw(const Panorama& panorama, int eye, const HeadsetEye& view, const HeadsetScene& scene,
                       ImageSize size, bool encoded) const {
-  const State& state = *state_;
-  glViewport(0, 0, size.width, size.height);
+  State& state = *state_;
   glDisable(GL_FRAMEBUFFER_SRGB);
+  const glm::mat3 sky = matrix(glm::conjugate(panorama.turn()) * scene.level_from_room * view.turn);
+  const glm::vec4 sides(view.sides.left, view.sides.right, view.sides.down, view.sides.up);
+  const bool has_stars = panorama.stars(eye) != nullptr;
+  if (has_stars) {
+    glBindTextureUnit(3, state.stars.draw(panorama, eye, sky, sides, size));
+  }
+  glViewport(0, 0, size.width, size.height);
   glUseProgram(state.program);
   glBindVertexArray(state.vertex_array);
   if (panorama.empty()) {
@@ -145,16 +153,14 @@ void EyePainter::draw(const Panorama& panorama, int eye, const HeadsetEye& view,
     panorama.use(eye, 0);
   }
   set_tone(panorama.tone());
-  const glm::mat3 sky = matrix(glm::conjugate(panorama.turn()) * scene.level_from_room * view.turn);
   const glm::mat3 room = matrix(view.turn);
   glUniformMatrix3fv(sky_from_eye, 1, GL_FALSE, glm::value_ptr(sky));
   glUniformMatrix3fv(room_from_eye, 1, GL_FALSE, glm::value_ptr(room));
-  glUniform4f(tangents, static_cast<float>(view.sides.left), static_cast<float>(view.sides.right),
-              static_cast<float>(view.sides.down), static_cast<float>(view.sides.up));
+  glUniform4fv(tangents, 1, glm::value_ptr(sides));
   const glm::vec3 position(view.position_m);
   glUniform3fv(eye_position, 1, glm::value_ptr(position));
   glUniform2f(lighting, static_cast<float>(scene.light), static_cast<float>(std::exp2(scene.exposure_stops)));
-  glUniform3i(flags, panorama.heat_map() ? 1 : 0, scene.rest_frame ? 1 : 0, encoded ? 1 : 0);
+  glUniform4i(flags, panorama.heat_map() ? 1 : 0, scene.rest_frame ? 1 : 0, encoded ? 1 : 0, has_stars ? 1 : 0);
   glUniform2f(vignette, static_cast<float>(scene.vignette), static_cast<float>(scene.clear_half_angle_rad));
   glUniform3f(floor_middle, static_cast<float>(scene.middle_m.x), static_cast<float>(scene.floor_m),
               static_cast<float>(scene.middle_m.z));

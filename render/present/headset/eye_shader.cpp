@@ -9,12 +9,13 @@ out vec4 colour;
 layout(binding = 0) uniform samplerCube sky;
 layout(binding = 1) uniform sampler2D captions;   // display light times coverage
 layout(binding = 2) uniform sampler2D words;      // sRGB values times coverage
+layout(binding = 3) uniform sampler2D starry;     // the sky's light with stars, pixel by pixel
 layout(location = 0) uniform mat3 sky_from_eye;   // to the axes of the sky's pictures
 layout(location = 3) uniform mat3 room_from_eye;
 layout(location = 4) uniform vec4 tangents;       // of the view's left, right, lower and upper side
 layout(location = 5) uniform vec3 eye_position;
 layout(location = 6) uniform vec2 lighting;       // factor on the display's light, factor on the sky's light
-layout(location = 7) uniform ivec3 flags;         // heat map, rest frame, sRGB values wanted
+layout(location = 7) uniform ivec4 flags;         // heat map, rest frame, sRGB values wanted, stars
 layout(location = 8) uniform vec2 vignette;       // darkness, half angle of the clear view
 layout(location = 9) uniform vec3 floor_middle;
 layout(location = 10) uniform vec3 panel_middle[2];
@@ -82,7 +83,9 @@ vec2 on_panel(int panel, vec3 direction) {
 void main() {
   vec3 view = normalize(vec3(mix(tangents.x, tangents.y, place.x), mix(tangents.z, tangents.w, place.y), -1.0));
   vec3 far = sky_from_eye * view;
-  vec3 light = max(lighting.y * textureLod(sky, vec3(far.xy, -far.z), 0.0).rgb, vec3(0.0));
+  vec3 seen = flags.w != 0 ? texelFetch(starry, ivec2(gl_FragCoord.xy), 0).rgb
+                           : textureLod(sky, vec3(far.xy, -far.z), 0.0).rgb;
+  vec3 light = max(lighting.y * seen, vec3(0.0));
   light = clamp(flags.x != 0 ? light : toned(light), 0.0, 1.0);
   float angle = acos(clamp(-view.z, -1.0, 1.0));
   light *= 1.0 - vignette.x * smoothstep(vignette.y, vignette.y + 0.25, angle);

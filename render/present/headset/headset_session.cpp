@@ -297,7 +297,7 @@ std::optional<HeadsetFrame> HeadsetSession::begin_frame() {
   state.display_time = frame.predictedDisplayTime;
   return HeadsetFrame{frame.predictedDisplayTime,
                       state.seconds_until(frame.predictedDisplayTime, frame.predictedDisplayPeriod),
-                      frame.shouldRender == XR_TRUE};
+                      1e-9 * static_cast<double>(frame.predictedDisplayPeriod), frame.shouldRender == XR_TRUE};
 }
 
 std::optional<HeadsetEyes> HeadsetSession::locate() {

@@ -47,6 +47,7 @@ using HeadsetEyes = std::array<HeadsetEye, 2>;
 struct HeadsetFrame {
   std::int64_t display_time_ns = 0;  //!< predicted time of the display, by the runtime's clock
   double delay_s = 0.0;              //!< time from now until then
+  double period_s = 0.0;             //!< time between frames
   bool drawn = false;                //!< false: the runtime shows no picture of this frame
 };
 

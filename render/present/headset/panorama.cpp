@@ -11,6 +11,7 @@ namespace ergodome {
 
 struct Panorama::State {
   GLuint cubes[2] = {0, 0};
+  PanoramaStars stars[2];
   GLuint strip = 0;  //!< receives pictures from CUDA
   std::unique_ptr<CudaTextureLink> link;
   int face_px = 0;
@@ -21,6 +22,7 @@ struct Panorama::State {
 
   void resize(int width_px, int height_px, int eye_count);
   void copy_strip(GLuint cube) const;
+  void set_stars(int eye, const StarLights* lights);
 };
 
 namespace {
@@ -71,12 +73,30 @@ void Panorama::State::copy_strip(GLuint cube) const {
   }
 }
 
+void Panorama::State::set_stars(int eye, const StarLights* lights) {
+  PanoramaStars& mine = stars[eye];
+  mine.count = lights != nullptr ? static_cast<int>(lights->stars.size()) : 0;
+  if (mine.count == 0) {
+    return;
+  }
+  if (mine.buffer == 0) {
+    glCreateBuffers(1, &mine.buffer);
+  }
+  glNamedBufferData(mine.buffer, static_cast<GLsizeiptr>(lights->stars.size() * sizeof(StarLight)),
+                    lights->stars.data(), GL_STATIC_DRAW);
+  mine.sigma_px = lights->sigma_px;
+  mine.cutoff_px = lights->cutoff_px;
+}
+
 Panorama::Panorama() : state_(std::make_unique<State>()) { glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS); }
 
 Panorama::~Panorama() {
   state_->link.reset();
   glDeleteTextures(1, &state_->strip);
   glDeleteTextures(2, state_->cubes);
+  for (const PanoramaStars& stars : state_->stars) {
+    glDeleteBuffers(1, &stars.buffer);
+  }
 }
 
 void Panorama::set(const OutputFrame& frame) {
@@ -96,6 +116,8 @@ void Panorama::set(const OutputFrame& frame) {
       state.link->copy_from_device({&whole, 1});
       state.copy_strip(state.cubes[eye]);
     }
+    state.set_stars(0, device.stars.get());
+    state.set_stars(1, device.right_stars.get());
     state.tone = device.tone;
     state.heat_map = device.heat_map;
     return;
@@ -106,6 +128,8 @@ void Panorama::set(const OutputFrame& frame) {
   if (frame.right_eye) {
     upload_faces(state.cubes[1], state.face_px, frame.right_eye->rgba.data());
   }
+  state.set_stars(0, left.stars.get());
+  state.set_stars(1, frame.right_eye ? frame.right_eye->stars.get() : nullptr);
   state.tone = left.tone;
   state.heat_map = left.heat_range.has_value();
 }
@@ -114,6 +138,11 @@ bool Panorama::empty() const { return state_->eyes == 0; }
 
 void Panorama::use(int eye, unsigned unit) const {
   glBindTextureUnit(unit, state_->cubes[eye < state_->eyes ? eye : 0]);
+}
+
+const PanoramaStars* Panorama::stars(int eye) const {
+  const PanoramaStars& stars = state_->stars[eye < state_->eyes ? eye : 0];
+  return stars.count > 0 ? &stars : nullptr;
 }
 
 const Tone& Panorama::tone() const { return state_->tone; }

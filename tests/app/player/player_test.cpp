@@ -21,6 +21,7 @@ class HeadlessOutput : public DisplayOutput {
     std::vector<Picture> eyes;
     EyeGrid grid;
     int shown = 0;  //!< number of calls of show() after the first frame
+    HeadsetSettings headset;
   };
 
   HeadlessOutput(std::vector<OutputEye> eyes, std::shared_ptr<Kept> kept)
@@ -39,6 +40,7 @@ class HeadlessOutput : public DisplayOutput {
     }
   }
   void set_light(double /*light*/) override {}
+  void set_headset(const HeadsetSettings& settings) override { kept_->headset = settings; }
   void show() override { kept_->shown += kept_->eyes.empty() ? 0 : 1; }
   [[nodiscard]] bool closed() const override { return closed_ || kept_->shown > 0; }
   void close() override { closed_ = true; }
@@ -80,6 +82,11 @@ TEST_F(PlayerOutputs, GetTheEyesOfTheShowUnlessTheyWantOthers) {
   ASSERT_EQ(kept.eyes.size(), 2U);
   EXPECT_EQ(kept.grid.columns, 2);
   EXPECT_EQ(kept.eyes[0].width, 32);
+}
+
+TEST_F(PlayerOutputs, GetTheHeadsetSettingsOfTheShow) {
+  show_.headset.vignette = 0.25;
+  EXPECT_EQ(play({}).headset, show_.headset);
 }
 
 TEST_F(PlayerOutputs, GetTheFrustaThatTheyWant) {

@@ -53,6 +53,12 @@ vignette = 0
 fade_s = 0
 )";
 
+//! Returns that show with one part replaced.
+std::string standing_with(const std::string& part, const std::string& replacement) {
+  std::string show = standing;
+  return show.replace(show.find(part), part.size(), replacement);
+}
+
 glm::dquat quaternion(const std::array<double, 4>& q) { return {q[3], q[0], q[1], q[2]}; }
 
 //! Returns the direction of a head at a display time, to the left of the room's front [rad].
@@ -274,6 +280,36 @@ TEST_F(HeadsetOutput, PicturesAreThoseOfDirectRaysForEachEyeAndTime) {
   EXPECT_GE(compared, 6);
 }
 
+TEST_F(HeadsetOutput, StarsAreWhereDirectRaysSeeThem) {
+  write("stars.toml",
+        standing_with("map = \"clouds.ppm\"", "map = \"black\"\nstars = \"bright_stars\"\nfaintest_mag = 5"));
+  ASSERT_EQ(play("frames=120;pictures=pictures;every=20", "", "stars.toml"), 0) << output_;
+  const std::vector<json> frames = lines_with("display_time_ns");
+  const double front = heading_at(frames.front().at("display_time_ns").get<std::int64_t>());
+  ShowRenderer renderer(read_show((folder_ / "stars.toml").string()), Backend::cpu, LensChoice::direct);
+  int compared = 0;
+  for (const json& frame : frames) {
+    const auto number = frame.at("frame").get<int>();
+    char name[64];
+    std::snprintf(name, sizeof name, "pictures/frame-%05d-right.ppm", number);
+    if (number < 80 || !std::filesystem::exists(folder_ / name)) {
+      continue;
+    }
+    ++compared;
+    const Luminance shown = read_picture(folder_ / name);
+    const Luminance expected = direct_view(renderer, 1, frame.at("display_time_ns").get<std::int64_t>(), front);
+    double light = 0.0;
+    double difference = 0.0;
+    for (std::size_t i = 0; i < shown.values.size(); ++i) {
+      light += expected.values[i];
+      difference += std::abs(shown.values[i] - expected.values[i]);
+    }
+    EXPECT_GT(light, 1000.0) << name;
+    EXPECT_LT(difference, 0.02 * light) << name;
+  }
+  EXPECT_GE(compared, 2);
+}
+
 TEST_F(HeadsetOutput, EveryFrameThatIsWantedShowsPictures) {
   // The runtime checks that each has the poses of its own display time. New positions take much
   // longer than a frame.
@@ -294,13 +330,16 @@ phi_deg = 90
   EXPECT_EQ(lines_with("violation"), std::vector<json>{});
 }
 
-TEST_F(HeadsetOutput, TurningTheHeadNeedsNoNewLens) {
+TEST_F(HeadsetOutput, TurningTheHeadNeedsNoNewLensAndNoNewStars) {
   Show show = read_show((folder_ / "show.toml").string());
   show.view.projection = ViewProjection::cube;
   show.view.cube_files = CubeFiles::strip;
   show.stereo.layout = StereoLayout::separate;
   show.stereo.model = StereoModel::flat;
+  show.sky.stars = "bright_stars";
+  show.sky.faintest_mag = 5.0;
   PictureRequest request;
+  request.output.star_pixel = 1e-3;
   request.renderer = std::make_shared<ShowRenderer>(show, Backend::cpu, LensChoice::live);
   request.frame.pose = camera_pose(show, 0.0);
   request.frame.stereo = show.stereo;
@@ -315,6 +354,7 @@ TEST_F(HeadsetOutput, TurningTheHeadNeedsNoNewLens) {
     EXPECT_EQ(render_for_output(request).turn, head.turn);
   }
   EXPECT_FALSE(work_between(before, work_done()).contains("trace_nodes"));
+  EXPECT_FALSE(work_between(before, work_done()).contains("search_patches"));
   // A step of half a meter does need one.
   request.scale_per_m = 1.0;
   head.offset_m = {0.0, 0.0, 0.5};
@@ -359,6 +399,29 @@ INSTANTIATE_TEST_SUITE_P(Hostile, HeadsetOutputInRuntime,
                                          HostileRun{"restart", 80, 88}, HostileRun{"exit", 20, 30}),
                          [](const auto& run) { return std::string(run.param.mode); });
 
+TEST_F(HeadsetOutput, EyesOfFourThousandPixelsAreDrawn) {
+  // A picture takes seconds on a CPU, so there are few.
+  ASSERT_EQ(play("frames=5;modes=huge", "--size 256"), 0) << output_;
+  EXPECT_EQ(lines_with("violation"), std::vector<json>{});
+  const std::vector<json> swapchains = lines_with("swapchain");
+  ASSERT_FALSE(swapchains.empty());
+  EXPECT_EQ(swapchains.front().at("width"), 4000);
+  EXPECT_EQ(lines_with("summary").back().at("summary").at("frames_with_layers"), 3);
+}
+
+TEST_F(HeadsetOutput, EveryRefreshRateGetsFramesForItsOwnDisplayTimes) {
+  for (const int rate : {72, 120}) {
+    std::filesystem::remove(folder_ / "log.txt");
+    ASSERT_EQ(play("frames=90;rate=" + std::to_string(rate)), 0) << output_;
+    EXPECT_EQ(lines_with("violation"), std::vector<json>{});
+    const std::vector<json> frames = lines_with("display_time_ns");
+    ASSERT_EQ(frames.size(), 90U);
+    const auto time_ns = [&](std::size_t i) { return frames[i].at("display_time_ns").get<std::int64_t>(); };
+    EXPECT_NEAR(static_cast<double>(time_ns(60) - time_ns(30)), 30e9 / rate, 1e6);
+    EXPECT_EQ(lines_with("summary").back().at("summary").at("frames_with_layers"), 88);
+  }
+}
+
 TEST_F(HeadsetOutput, ALostHeadsetIsFoundAgainWithinFiveSeconds) {
   for (const char* mode : {"session_lost", "instance_lost"}) {
     std::filesystem::remove(folder_ / "log.txt");
@@ -388,6 +451,12 @@ TEST_F(HeadsetOutput, AnExhibitRunsInItsWindowUntilThereIsAHeadset) {
   ASSERT_EQ(play("modes=no_system_at_first", "--exhibit --attract show.toml --for 6"), 0) << output_;
   EXPECT_GE(lines_with("display_time_ns").size(), 30U);
   EXPECT_EQ(lines_with("violation"), std::vector<json>{});
+}
+
+TEST_F(HeadsetOutput, ADistanceBetweenTheEyesThatTheyCannotFuseIsReducedWithAWarning) {
+  write("apart.toml", standing_with("\"mono\"\nscale = 1e-9", "\"physical\"\nscale = 40"));
+  ASSERT_EQ(play("frames=60", "", "apart.toml"), 0) << output_;
+  EXPECT_THAT(output_, testing::HasSubstr("exceed stereo.comfort_deg (1°); the distance between the eyes is reduced"));
 }
 
 TEST_F(HeadsetOutput, WithoutTheOptionNoOpenXrLibraryIsLoaded) {

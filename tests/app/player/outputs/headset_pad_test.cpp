@@ -54,6 +54,18 @@ TEST(HeadsetPads, LookWithTheRightStick) {
   EXPECT_EQ(steering_of(hands), (Steering{.pitch = -1.0}));
 }
 
+TEST(HeadsetPads, FlyAndTurnWithTheStickOfASingleController) {
+  for (const std::size_t hand : {0U, 1U}) {
+    HeadsetHands hands;
+    hands[hand].connected = true;
+    hands[hand].stick_y = 1.0;
+    EXPECT_EQ(steering_of(hands), (Steering{.forward = 1.0}));
+    hands[hand].stick_y = 0.0;
+    hands[hand].stick_x = -1.0;
+    EXPECT_EQ(steering_of(hands), (Steering{.yaw = -1.0}));
+  }
+}
+
 TEST(HeadsetPads, RiseAndSinkWithTheGrips) {
   HeadsetHands hands = two_controllers();
   hands[0].grip = 1.0;

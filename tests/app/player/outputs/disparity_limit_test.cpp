@@ -1,0 +1,48 @@
+#include "app/player/outputs/disparity_limit.h"
+
+#include <gtest/gtest.h>
+
+namespace ergodome {
+namespace {
+
+constexpr double comfort_deg = 1.0;
+
+TEST(DisparityLimit, LeavesComfortableEyesAsTheyAre) {
+  DisparityLimit limit;
+  limit.note(0.9, comfort_deg);
+  EXPECT_EQ(limit.factor(), 1.0);
+  EXPECT_FALSE(limit.take_news());
+}
+
+TEST(DisparityLimit, ReducesTheDistanceUntilItIsComfortableAndSaysSoOnce) {
+  DisparityLimit limit;
+  // Disparities that grow a little faster than the distance between the eyes.
+  const auto range_deg = [&] { return 4.0 * limit.factor() * (1.0 + 0.2 * limit.factor()); };
+  limit.note(range_deg(), comfort_deg);
+  EXPECT_TRUE(limit.take_news());
+  limit.note(range_deg(), comfort_deg);
+  EXPECT_LE(range_deg(), comfort_deg);
+  EXPECT_GT(range_deg(), 0.8 * comfort_deg);
+  EXPECT_FALSE(limit.take_news());
+}
+
+TEST(DisparityLimit, EndsFarFromTheHole) {
+  DisparityLimit limit;
+  limit.note(10.0, comfort_deg);
+  for (int i = 0; i < 20; ++i) {
+    limit.note(0.5 * limit.factor(), comfort_deg);
+  }
+  EXPECT_EQ(limit.factor(), 1.0);
+}
+
+TEST(DisparityLimit, MeasuresOncePerSecond) {
+  DisparityLimit limit;
+  int measured = 0;
+  for (int frame = 0; frame < 900; ++frame) {
+    measured += limit.is_due(frame / 90.0) ? 1 : 0;
+  }
+  EXPECT_EQ(measured, 10);
+}
+
+}  // namespace
+}  // namespace ergodome
