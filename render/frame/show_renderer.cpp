@@ -206,7 +206,7 @@ PictureSettings ShowRenderer::picture_settings(const CameraPose& pose, ViewMode 
   settings.show = &show_;
   settings.passes = passes_.of_pictures(show_, mode);
   if (star_pixel_ > 0.0 && stars_may_be_apart(show_, mode)) {
-    settings.stars_apart = std::make_shared<StarLights>(StarLights{.pixel = star_pixel_, .stars = {}});
+    settings.stars_apart = std::make_shared<StarLights>(StarLights{.pixel = star_pixel_});
   }
   const bool shells = near_field_needs(show_, mode).shells;
   if (follows_rays(mode) && (method_ || shells)) {

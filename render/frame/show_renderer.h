@@ -215,7 +215,7 @@ class ShowRenderer {
   double baseline_ = 0.0;  //!< baseline with which the last picture was rendered [M]
   std::optional<ReducedBaseline> reduced_baseline_;
   double exposure_stops_ = 0.0;
-  double star_pixel_ = 0.0;  //!< set_stars_apart()
+  double star_pixel_ = 0.0;            //!< set_stars_apart()
   double time_s_ = 0.0;                //!< show time of the current animated numbers
   std::optional<TraceMethod> method_;  //!< ViewChoice::method of the current pictures
   std::optional<ViewRange> range_;     //!< ViewChoice::range of the current pictures

@@ -60,7 +60,7 @@ struct PictureSettings {
   std::optional<Shutter> shutter;         //!< if given, stars leave trails
   double time_s = 0.0;                    //!< show time, for moving objects
   //! Receives the stars, which are then not drawn; see Picture::stars. Null: they are drawn.
-  std::shared_ptr<StarLights> stars_apart;
+  std::shared_ptr<StarLights> stars_apart{};
   //! Replaces the default value range of heat maps; must be above 0 if colors are logarithmic.
   std::optional<ViewRange> range{};
   //! The show with its animated numbers at this time; required by `passes`.

@@ -42,7 +42,7 @@ struct StarLights {
   double pixel = 0.0;      //!< angle of the output's pixels, for which images are sought [rad]
   double sigma_px = 0.0;   //!< standard deviation of their spots in the output's pixels
   double cutoff_px = 0.0;  //!< radius at which spots end
-  std::vector<StarLight> stars;
+  std::vector<StarLight> stars{};
 };
 
 //! One eye's picture: linear light, four floats per pixel (red, green, blue, coverage), top row
@@ -60,7 +60,7 @@ struct Picture {
   Tone tone;  //!< tone settings with which the picture is to be displayed
   //! Stars that are not in the picture. If given, the fourth channel is not coverage but opacity:
   //! the fraction of the stars' light that is covered.
-  std::shared_ptr<const StarLights> stars;
+  std::shared_ptr<const StarLights> stars{};
 };
 
 //! A picture in the backend's memory: four floats per pixel.
@@ -68,7 +68,7 @@ struct BackendPicture {
   float* rgba = nullptr;
   const char* lens = "";  //!< source of the lens: LensSource::name()
   bool behind = false;
-  std::shared_ptr<const StarLights> stars;  //!< as in Picture
+  std::shared_ptr<const StarLights> stars{};  //!< as in Picture
 };
 
 //! Whether an image is the whole frame or that of one eye.
@@ -99,8 +99,8 @@ struct DevicePicture {
   bool heat_map = false;
   Tone tone;
   //! As in Picture, for both pictures.
-  std::shared_ptr<const StarLights> stars;
-  std::shared_ptr<const StarLights> right_stars;
+  std::shared_ptr<const StarLights> stars{};
+  std::shared_ptr<const StarLights> right_stars{};
 };
 
 }  // namespace ergodome

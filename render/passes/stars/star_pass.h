@@ -107,7 +107,8 @@ class StarPass : public Pass {
 
   //! Returns the images that `settings` asks for, of the last pictures if possible. The reference is
   //! valid until the next call.
-  const std::vector<StarImage>& images_of(const StarEye& eye, const Projection& projection, const StarSettings& settings);
+  const std::vector<StarImage>& images_of(const StarEye& eye, const Projection& projection,
+                                          const StarSettings& settings);
   std::vector<StarImage> sought_images(const StarEye& eye, const StarSettings& settings);
   PlacedImages sought_in_place(const StarEye& eye, const StarSettings& settings);
   std::vector<StarImage> gathered_images(const StarEye& eye, const Projection& projection,
