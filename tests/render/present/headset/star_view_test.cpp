@@ -84,7 +84,7 @@ class StarsOfAView : public testing::Test {
     const unsigned texture = view.draw(panorama, eye, glm::mat3(glm::mat3_cast(turn)), tangents, view_size);
     std::vector<float> rows(static_cast<std::size_t>(4 * view_size.width * view_size.height));
     glGetTextureImage(texture, 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(rows.size() * sizeof(float)), rows.data());
-    const auto row_floats = static_cast<std::ptrdiff_t>(4 * view_size.width);
+    constexpr std::ptrdiff_t row_floats = 4L * view_size.width;
     std::vector<float> picture;
     for (std::ptrdiff_t row = view_size.height - 1; row >= 0; --row) {
       picture.insert(picture.end(), rows.begin() + row * row_floats, rows.begin() + (row + 1) * row_floats);
