@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -123,6 +126,25 @@ void require_table_ending(const std::string& option, const std::filesystem::path
     throw UsageError(option + " " + table.string(), "has an unsupported extension",
                      "choose a name that ends in .csv, .tsv or .json");
   }
+}
+
+void write_table_in_parts(const std::filesystem::path& table,
+                          const std::function<void(const TablePartWriter& write)>& compute) {
+  const std::string ending = lower_ending(table);
+  if (ending == ".json" || ending == ".tsv") {
+    std::string csv;
+    compute([&](std::string_view part) { csv += part; });
+    return write_table(table, csv);
+  }
+  write_atomically(table, [&](const std::filesystem::path& partial) {
+    std::ofstream file(partial, std::ios::binary);
+    compute([&](std::string_view part) { file.write(part.data(), static_cast<std::streamsize>(part.size())); });
+    file.close();
+    if (!file) {
+      throw Error(table.string(), std::string("cannot be written: ") + std::strerror(errno),
+                  "check the folder, its permissions and the free space");
+    }
+  });
 }
 
 void write_table(const std::filesystem::path& table, std::string_view csv) {

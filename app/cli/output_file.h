@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -33,5 +34,13 @@ void require_table_ending(const std::string& option, const std::filesystem::path
 //! and empty and non-finite cells are null. Throws Error if it cannot be written, or if a cell of a
 //! .tsv table contains a tab.
 void write_table(const std::filesystem::path& table, std::string_view csv);
+
+//! Takes the next part of a table's CSV text.
+using TablePartWriter = std::function<void(std::string_view part)>;
+
+//! Writes a table as write_table() does, but while it is computed: `compute` passes its text part
+//! by part. CSV text is not kept in memory. Nothing is written if `compute` throws.
+void write_table_in_parts(const std::filesystem::path& table,
+                          const std::function<void(const TablePartWriter& write)>& compute);
 
 }  // namespace ergodome

@@ -15,43 +15,31 @@ namespace {
 constexpr std::size_t longest_line = 65'536;
 constexpr std::size_t max_rows = 50'000'000;
 
-//! Reads the next line without its end. A line that is too long is cut after one character more
-//! than the maximum.
-bool read_line(std::istream& stream, std::string& line) {
-  line.resize(longest_line + 2);
-  stream.getline(line.data(), static_cast<std::streamsize>(line.size()));
-  const auto taken = static_cast<std::size_t>(stream.gcount());
-  const bool cut = stream.fail() && taken == longest_line + 1;
-  if (stream.fail() && !cut) {
-    return false;
+//! Returns a cell without surrounding spaces and quotes.
+std::string_view trimmed(std::string_view cell) {
+  while (!cell.empty() && (cell.front() == ' ' || cell.front() == '"')) {
+    cell.remove_prefix(1);
   }
-  if (cut) {
-    stream.clear();
+  while (!cell.empty() && (cell.back() == ' ' || cell.back() == '"' || cell.back() == '\r')) {
+    cell.remove_suffix(1);
   }
-  line.resize(cut || stream.eof() ? taken : taken - 1);
-  return true;
+  return cell;
 }
 
-std::vector<std::string_view> split(std::string_view line) {
-  std::vector<std::string_view> cells;
-  while (true) {
-    const std::size_t comma = line.find(',');
-    std::string_view cell = line.substr(0, comma);
-    while (!cell.empty() && (cell.front() == ' ' || cell.front() == '"')) {
-      cell.remove_prefix(1);
+//! Replaces `cells` by the cells of a line.
+void split(std::string_view line, std::vector<std::string_view>& cells) {
+  cells.clear();
+  for (std::size_t begin = 0, at = 0; at <= line.size(); ++at) {
+    if (at == line.size() || line[at] == ',') {
+      cells.push_back(trimmed(line.substr(begin, at - begin)));
+      begin = at + 1;
     }
-    while (!cell.empty() && (cell.back() == ' ' || cell.back() == '"' || cell.back() == '\r')) {
-      cell.remove_suffix(1);
-    }
-    cells.push_back(cell);
-    if (comma == std::string_view::npos) {
-      return cells;
-    }
-    line.remove_prefix(comma + 1);
   }
 }
 
 }  // namespace
+
+std::string TableLine::location() const { return fmt::format("{}:{}", file, number_in_file); }
 
 double TableLine::number(std::size_t column, std::string_view name) const {
   std::string_view text = cell(column);
@@ -66,20 +54,45 @@ double TableLine::number(std::size_t column, std::string_view name) const {
     return 0.0;
   }
   if (problem != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-    throw Error(location, fmt::format("{} is \"{}\", not a number", name, text.substr(0, 40)), "write a finite number");
+    throw Error(location(), fmt::format("{} is \"{}\", not a number", name, text.substr(0, 40)),
+                "write a finite number");
   }
   return value;
 }
 
-NumberTable::NumberTable(std::istream& stream, std::string file) : stream_(stream), file_(std::move(file)) {
-  if (!read_line(stream_, text_) || text_.size() > longest_line) {
+NumberTable::NumberTable(std::istream& stream, std::string file)
+    : stream_(stream), file_(std::move(file)), block_(4 * longest_line) {
+  const auto first = read_line();
+  if (!first || first->size() > longest_line) {
     throw Error(file_, "has no header line", "name the columns in the first line");
   }
-  if (text_.starts_with("\xEF\xBB\xBF")) {
-    text_.erase(0, 3);  // spreadsheets mark UTF-8 with these bytes
+  std::string_view text = *first;
+  if (text.starts_with("\xEF\xBB\xBF")) {
+    text.remove_prefix(3);  // spreadsheets mark UTF-8 with these bytes
   }
-  const std::vector<std::string_view> names = split(text_);
+  std::vector<std::string_view> names;
+  split(text, names);
   names_.assign(names.begin(), names.end());
+}
+
+std::optional<std::string_view> NumberTable::read_line() {
+  for (std::size_t searched = 0;;) {
+    const std::string_view text(block_.data() + begin_, end_ - begin_);
+    const std::size_t length = std::min(text.find('\n', searched), text.size());
+    if (length < text.size() || length > longest_line) {
+      begin_ += length + (length < text.size() ? 1 : 0);
+      return text.substr(0, std::min(length, longest_line + 1));
+    }
+    if (!stream_) {
+      begin_ = end_;
+      return text.empty() ? std::nullopt : std::optional(text);
+    }
+    searched = length;
+    end_ = static_cast<std::size_t>(std::copy(text.begin(), text.end(), block_.begin()) - block_.begin());
+    begin_ = 0;
+    stream_.read(block_.data() + end_, static_cast<std::streamsize>(block_.size() - end_));
+    end_ += static_cast<std::size_t>(stream_.gcount());
+  }
 }
 
 std::optional<std::size_t> NumberTable::find(std::string_view name) const {
@@ -102,20 +115,21 @@ std::size_t NumberTable::need(std::string_view name) const {
 }
 
 bool NumberTable::next(TableLine& line) {
-  while (read_line(stream_, text_)) {
+  while (const auto text = read_line()) {
     ++line_number_;
-    if (text_.empty() || text_ == "\r") {
+    if (text->empty() || *text == "\r") {
       continue;
     }
-    line.location = fmt::format("{}:{}", file_, line_number_);
-    if (text_.size() > longest_line || rows_ >= max_rows) {
-      throw Error(line.location, "exceeds the limits of a table: lines of 64 KiB, 50 million rows", "split the file");
+    line.file = file_;
+    line.number_in_file = line_number_;
+    if (text->size() > longest_line || rows_ >= max_rows) {
+      throw Error(line.location(), "exceeds the limits of a table: lines of 64 KiB, 50 million rows", "split the file");
     }
     ++rows_;
-    line.cells = split(text_);
+    split(*text, line.cells);
     const auto extra = line.cells.begin() + static_cast<std::ptrdiff_t>(std::min(names_.size(), line.cells.size()));
     if (std::any_of(extra, line.cells.end(), [](std::string_view cell) { return !cell.empty(); })) {
-      throw Error(line.location,
+      throw Error(line.location(),
                   fmt::format("has {} cells, but the first line names {} columns", line.cells.size(), names_.size()),
                   "name every column, and write numbers with a decimal point, not a comma");
     }

@@ -14,7 +14,11 @@ namespace ergodome {
 //! The cells of one line of a number table.
 struct TableLine {
   std::vector<std::string_view> cells;  //!< refer to the table's text; valid until the next line is read
-  std::string location;                 //!< file and line, for messages
+  std::string_view file;                //!< valid as long as the table
+  std::size_t number_in_file = 0;       //!< line number, from 1
+
+  //! Returns file and line, for messages.
+  [[nodiscard]] std::string location() const;
 
   //! Returns a cell without surrounding spaces and quotes; empty if the line is too short.
   [[nodiscard]] std::string_view cell(std::size_t column) const {
@@ -44,10 +48,16 @@ class NumberTable {
   bool next(TableLine& line);
 
  private:
+  //! Returns the next line without its end, cut after one character more than the maximum; nothing
+  //! at the end of the file. The text is valid until the next call.
+  std::optional<std::string_view> read_line();
+
   std::istream& stream_;
   std::string file_;
   std::vector<std::string> names_;
-  std::string text_;
+  std::vector<char> block_;  //!< characters read from the stream
+  std::size_t begin_ = 0;    //!< first character of `block_` that is not in a line yet
+  std::size_t end_ = 0;      //!< end of the characters in `block_`
   std::size_t line_number_ = 1;
   std::size_t rows_ = 0;
 };

@@ -31,24 +31,24 @@ PairRow pair_of(const TableLine& line, const std::size_t (&columns)[4]) {
   row.r = line.number(columns[1], "r");
   row.phi = line.number(columns[2], "phi");
   const double order = line.number(columns[3], "order");
-  check_radius(row.r_observer, "r_obs", line.location);
-  check_radius(row.r, "r", line.location);
+  check_radius(row.r_observer, "r_obs", line.location());
+  check_radius(row.r, "r", line.location());
   if (!(order >= 1.0 && order <= highest_order && order == std::floor(order))) {
-    throw Error(line.location, fmt::format("order is {:.9g}", order),
+    throw Error(line.location(), fmt::format("order is {:.9g}", order),
                 fmt::format("choose 1 (direct image), 2 (around the other side), ... up to {}", highest_order));
   }
   row.order = static_cast<int>(order);
   const double maximum = std::max(2, row.order) * pi;
   if (!(row.phi >= 0.0 && row.phi <= maximum + slack)) {
-    throw Error(line.location, fmt::format("phi is {:.9g}", row.phi),
+    throw Error(line.location(), fmt::format("phi is {:.9g}", row.phi),
                 fmt::format("choose an azimuth from 0 to {:.9g} for order {}", maximum, row.order));
   }
   row.angle = image_angle(row.phi, row.order);
   if (const char* reason = why_not_connected(row.r_observer, row.r, row.angle)) {
-    throw Error(line.location, fmt::format("no light ray of order {} exists: {}", row.order, reason),
+    throw Error(line.location(), fmt::format("no light ray of order {} exists: {}", row.order, reason),
                 "change r_obs, r, phi or order in this line");
   }
-  row.location = line.location;
+  row.location = line.location();
   row.text = fmt::format("{},{},{},{}", line.cell(columns[0]), line.cell(columns[1]), line.cell(columns[2]),
                          line.cell(columns[3]));
   return row;

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <string_view>
+#include <system_error>
+#include <vector>
 
 #include "content/tables/number_table.h"
 #include "kernels/core/angles.h"
@@ -52,7 +56,7 @@ double theta_of(const TableLine& line, const EitherColumn& theta) {
   const double maximum = theta.second ? 180.0 : 3.1415926535897936;
   if (!(angle >= 0.0 && angle <= maximum)) {
     throw Error(
-        line.location, fmt::format("{} is {}, out of range", theta.name, angle),
+        line.location(), fmt::format("{} is {}, out of range", theta.name, angle),
         theta.second ? "choose an angle from 0 to 180" : "choose an angle from 0 to pi, or name the column theta_deg");
   }
   return theta.second ? angle * one_degree : angle;
@@ -71,7 +75,7 @@ ObserverMotion motion_of(const TableLine& line, std::string_view word) {
       return motion;
     }
   }
-  throw Error(line.location, fmt::format("observer is \"{}\", which does not exist", word.substr(0, 40)),
+  throw Error(line.location(), fmt::format("observer is \"{}\", which does not exist", word.substr(0, 40)),
               "choose one of zamo, static, geodesic, retrograde, rain, boost, rain_boost");
 }
 
@@ -90,7 +94,7 @@ Vector3<double> vector_of(const TableLine& line, const std::optional<std::size_t
 
 void check(const RayRow& row, const TableLine& line, std::string_view spin_name) {
   if (!(std::abs(row.spacetime.spin) <= 1.0)) {
-    throw Error(line.location, fmt::format("{} is {}, outside -1 to 1", spin_name, row.spacetime.spin),
+    throw Error(line.location(), fmt::format("{} is {}, outside -1 to 1", spin_name, row.spacetime.spin),
                 "choose a spin in that range");
   }
   const double horizon = horizon_radius(row.spacetime);
@@ -98,7 +102,7 @@ void check(const RayRow& row, const TableLine& line, std::string_view spin_name)
   const double minimum = falls ? std::min(min_interior_radius(row.spacetime), horizon) : horizon;
   if (!(row.r > minimum && row.r <= 1e12)) {
     throw Error(
-        line.location, fmt::format("r is {}, out of range for this observer", row.r),
+        line.location(), fmt::format("r is {}, out of range for this observer", row.r),
         falls || !(row.r > min_interior_radius(row.spacetime))
             ? fmt::format("choose a radius above {:.6g} and up to 1e12", minimum)
             : fmt::format(
@@ -109,7 +113,7 @@ void check(const RayRow& row, const TableLine& line, std::string_view spin_name)
                                 ? row.velocity
                                 : observer_velocity(row.motion, row.spacetime, row.r, row.theta, row.velocity);
   if (row.motion != ObserverMotion::rain && !(dot(v, v) < 1.0)) {
-    throw Error(line.location, "this observer would have to move faster than light at this radius",
+    throw Error(line.location(), "this observer would have to move faster than light at this radius",
                 "choose another observer or a larger radius");
   }
 }
@@ -120,7 +124,7 @@ void need_velocity(const TableLine& line, const Columns& columns) {
   constexpr std::string_view names[3] = {"beta_r", "beta_theta", "beta_phi"};
   for (std::size_t i = 0; i < 3; ++i) {
     if (!columns.beta[i]) {
-      throw Error(line.location,
+      throw Error(line.location(),
                   fmt::format("observer is {}, but the table has no column {}", line.cell(columns.observer), names[i]),
                   "name beta_r, beta_theta and beta_phi in the first line");
     }
@@ -140,7 +144,7 @@ void check_velocity(const RayRow& row, const TableLine& line, const Columns& col
     const bool given = columns.beta[i] && !line.cell(*columns.beta[i]).empty();
     const double beta = given ? line.number(*columns.beta[i], "beta") : 0.0;
     if (beta != 0.0 && !(std::abs(beta - own[i]) < same)) {
-      throw Error(line.location,
+      throw Error(line.location(),
                   fmt::format("has a velocity that differs from that of the observer {} ({:.6g}, {:.6g}, {:.6g})",
                               line.cell(columns.observer), own[0], own[1], own[2]),
                   "write the observer \"boost\", or leave the beta_* cells empty");
@@ -148,9 +152,69 @@ void check_velocity(const RayRow& row, const TableLine& line, const Columns& col
   }
 }
 
+//! Reads and checks a row's camera. Leaves the direction and the id unset.
+RayRow ray_camera_of(const TableLine& line, const Columns& columns) {
+  RayRow row;
+  row.spacetime = Spacetime{line.number(columns.spin.column, columns.spin.name)};
+  row.r = line.number(columns.r, "r");
+  row.theta = theta_of(line, columns.theta);
+  row.motion = motion_of(line, line.cell(columns.observer));
+  if (row.motion == ObserverMotion::velocity || row.motion == ObserverMotion::rain_boost) {
+    need_velocity(line, columns);
+    row.velocity = vector_of(line, columns.beta, "beta");
+  }
+  check(row, line, columns.spin.name);
+  check_velocity(row, line, columns);
+  return row;
+}
+
+Vector3<double> ray_direction_of(const TableLine& line, const Columns& columns) {
+  const Vector3<double> n = vector_of(line, columns.direction, "n");
+  const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+  if (!(largest > 0.0)) {
+    throw Error(line.location(), "n_r, n_theta and n_phi are all 0, so the direction is undefined",
+                "write a vector of any length that points to where the light seems to come from");
+  }
+  const Vector3<double> scaled = (1.0 / largest) * n;
+  return (1.0 / std::sqrt(dot(scaled, scaled))) * scaled;
+}
+
+//! The cells of the last line that define its camera. Most successive rays share their camera,
+//! which is then read and checked once.
+class CameraCells {
+ public:
+  explicit CameraCells(const Columns& columns)
+      : columns_{columns.spin.column, columns.r, columns.theta.column, columns.observer} {
+    for (const auto& column : columns.beta) {
+      if (column) {
+        columns_.push_back(*column);
+      }
+    }
+    texts_.resize(columns_.size());
+  }
+
+  //! Returns true if these cells of a line are the same as in the line before.
+  bool are_repeated(const TableLine& line) {
+    bool repeated = !first_;
+    first_ = false;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (const std::string_view cell = line.cell(columns_[i]); texts_[i] != cell) {
+        texts_[i] = cell;
+        repeated = false;
+      }
+    }
+    return repeated;
+  }
+
+ private:
+  std::vector<std::size_t> columns_;
+  std::vector<std::string> texts_;
+  bool first_ = true;
+};
+
 }  // namespace
 
-std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file, bool need_directions) {
+RayRows read_ray_table(std::istream& stream, const std::string& file, bool need_directions, std::size_t expected_rows) {
   NumberTable table(stream, file);
   Columns columns{table.find("id"),
                   either(table, file, "a", "spin"),
@@ -164,38 +228,31 @@ std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file
       static_cast<void>(table.need(name));
     }
   }
-  std::vector<RayRow> rows;
+  RayRows rows;
+  rows.reserve(expected_rows);
+  CameraCells camera_cells(columns);
+  RayRow camera;
   for (TableLine line; table.next(line);) {
-    RayRow row;
-    row.id = columns.id ? std::string(line.cell(*columns.id)) : std::to_string(rows.size());
-    row.spacetime = Spacetime{line.number(columns.spin.column, columns.spin.name)};
-    row.r = line.number(columns.r, "r");
-    row.theta = theta_of(line, columns.theta);
-    row.motion = motion_of(line, line.cell(columns.observer));
-    if (row.motion == ObserverMotion::velocity || row.motion == ObserverMotion::rain_boost) {
-      need_velocity(line, columns);
-      row.velocity = vector_of(line, columns.beta, "beta");
+    if (!camera_cells.are_repeated(line)) {
+      camera = ray_camera_of(line, columns);
     }
-    check(row, line, columns.spin.name);
-    check_velocity(row, line, columns);
+    RayRow& row = rows.emplace_back(camera);
+    row.id = columns.id ? std::string(line.cell(*columns.id)) : std::to_string(rows.size() - 1);
     if (columns.direction[0] && columns.direction[1] && columns.direction[2]) {
-      const Vector3<double> n = vector_of(line, columns.direction, "n");
-      const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-      if (!(largest > 0.0)) {
-        throw Error(line.location, "n_r, n_theta and n_phi are all 0, so the direction is undefined",
-                    "write a vector of any length that points to where the light seems to come from");
-      }
-      const Vector3<double> scaled = (1.0 / largest) * n;
-      row.direction = (1.0 / std::sqrt(dot(scaled, scaled))) * scaled;
+      row.direction = ray_direction_of(line, columns);
     }
-    rows.push_back(std::move(row));
   }
   return rows;
 }
 
-std::vector<RayRow> read_ray_table(const std::filesystem::path& path) {
+RayRows read_ray_table(const std::filesystem::path& path) {
+  constexpr std::uintmax_t usual_line = 64;
+  constexpr std::uintmax_t most_reserved = 4'000'000;
   std::ifstream stream = open_table(path, "a table of rays");
-  return read_ray_table(stream, path.string());
+  std::error_code problem;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, problem);
+  return read_ray_table(stream, path.string(), true,
+                        problem ? 0 : static_cast<std::size_t>(std::min(bytes / usual_line, most_reserved)));
 }
 
 }  // namespace ergodome

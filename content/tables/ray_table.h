@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <istream>
 #include <string>
-#include <vector>
 
+#include "kernels/launch/large_memory.h"
 #include "kernels/spacetime/kerr/observer.h"
 
 namespace ergodome {
@@ -23,6 +23,8 @@ struct RayRow {
   Vector3<double> direction{};  //!< unit vector in the observer's frame (e_r, e_θ, e_φ)
 };
 
+using RayRows = LargeVector<RayRow>;
+
 //! Reads a table of rays (CSV with a header; columns a or spin, r, theta or theta_deg, observer,
 //! n_r, n_theta, n_phi, and beta_r, beta_theta, beta_phi for the observers "boost" and
 //! "rain_boost"; `id` is optional, others are ignored).
@@ -31,10 +33,11 @@ struct RayRow {
 //! them), invalid numbers, cameras inside the horizon unless the observer is rain or rain_boost,
 //! cameras too close to the inner horizon, observers that cannot exist, velocities that differ from
 //! that of the named observer, and directions of zero length.
-std::vector<RayRow> read_ray_table(const std::filesystem::path& path);
+RayRows read_ray_table(const std::filesystem::path& path);
 
 //! Reads a table of rays from a stream; `file` is its name in messages. Without `need_directions`
-//! (for points on the edge of the shadow), n_* may be absent.
-std::vector<RayRow> read_ray_table(std::istream& stream, const std::string& file, bool need_directions = true);
+//! (for points on the edge of the shadow), n_* may be absent. Reserves memory for `expected_rows`.
+RayRows read_ray_table(std::istream& stream, const std::string& file, bool need_directions = true,
+                       std::size_t expected_rows = 0);
 
 }  // namespace ergodome

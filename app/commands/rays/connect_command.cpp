@@ -11,9 +11,11 @@
 #include "app/cli/option_checks.h"
 #include "app/cli/output_file.h"
 #include "app/cli/progress.h"
+#include "app/commands/rays/ray_groups.h"
 #include "content/files/atomic_file.h"
 #include "content/files/console.h"
 #include "content/files/printable.h"
+#include "content/tables/number_text.h"
 #include "content/tables/pair_table.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/parallel_for.h"
@@ -116,9 +118,14 @@ void run_connect(const ConnectOptions& options) {
   const std::vector<PairRow> rows = read_pair_table(options.pairs);
   const std::vector<Answer> answers =
       options.method == "table" ? connect_through_tables(rows, options) : connect_in_closed_form(rows);
-  std::string text = "r_obs,r,phi,order,xi,travel_time\n";
+  LargeText text = "r_obs,r,phi,order,xi,travel_time\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    text += fmt::format("{},{:.17g},{:.17g}\n", rows[i].text, answers[i].xi, answers[i].travel_time);
+    text += rows[i].text;
+    text += ',';
+    append_number(text, answers[i].xi);
+    text += ',';
+    append_number(text, answers[i].travel_time);
+    text += '\n';
   }
   write_text_atomically(options.out, text);
 }

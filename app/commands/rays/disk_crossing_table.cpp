@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <vector>
 
+#include "content/tables/number_text.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/disk/disk_emitter.h"
@@ -42,9 +44,14 @@ std::optional<std::string> lines_of(const RayRow& row, const CameraStation& came
     const EquatorialCrossing<double>& at = crossings[order];
     const DiskLight<double> light = {1.0 / at.u, ray.energy, ray.axial_angular_momentum, ray.shear_constant,
                                      at.u_rate > 0.0};
-    text += fmt::format("{},{},{:.17g},{:.17g},{:.17g},", row.id, order, light.r, azimuth_of(at), at.delay);
+    fmt::format_to(std::back_inserter(text), "{},{}", row.id, order);
+    for (const double number : {light.r, azimuth_of(at), at.delay}) {
+      text += ',';
+      append_number(text, number);
+    }
+    text += ',';
     if (light.r >= flow.stable_r || options.plunging) {
-      text += fmt::format("{:.17g}", 1.0 / disk_frequency(flow, light));
+      append_number(text, 1.0 / disk_frequency(flow, light));
     }
     text += '\n';
   }

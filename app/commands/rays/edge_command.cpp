@@ -2,14 +2,15 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "app/cli/commands.h"
 #include "app/cli/output_file.h"
 #include "app/commands/rays/ray_groups.h"
+#include "content/tables/number_text.h"
 #include "content/tables/ray_table.h"
 #include "kernels/core/angles.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
@@ -25,23 +26,29 @@ struct EdgeOptions {
 };
 
 void append_points(const CameraStation& camera, const ShadowChart& chart, const std::string& id, int count,
-                   std::string& text) {
+                   LargeText& text) {
   for (int i = 0; i < count; ++i) {
     const double gamma = full_turn * i / count;
     const double alpha = edge_polar_angle(camera, chart, gamma);
     const Vector3<double> n = chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma);
-    text += fmt::format("{},{},{:.17g},{:.17g},{:.17g}\n", id, i, n.x, n.y, n.z);
+    fmt::format_to(std::back_inserter(text), "{},{},", id, i);
+    append_number(text, n.x);
+    text += ',';
+    append_number(text, n.y);
+    text += ',';
+    append_number(text, n.z);
+    text += '\n';
   }
 }
 
 void run_edge(const EdgeOptions& options) {
-  std::vector<RayRow> rows = read_ray_table(options.rays);
+  RayRows rows = read_ray_table(options.rays);
   if (options.points > 0) {
     // Points of the edge depend only on the camera. Rows are grouped by camera, so that each
     // camera's points are written once.
     rows = grouped_by_camera(std::move(rows)).rows;
   }
-  std::string text = options.points > 0 ? "id,point,n_r,n_theta,n_phi\n" : "id,edge_distance\n";
+  LargeText text = options.points > 0 ? "id,point,n_r,n_theta,n_phi\n" : "id,edge_distance\n";
   for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
     const RayRow& row = rows[begin];
     const CameraStation camera = make_camera_station(row.spacetime, row.r, row.theta, 0.0, row.motion, row.velocity);
@@ -51,7 +58,10 @@ void run_edge(const EdgeOptions& options) {
       return;
     }
     for (std::size_t i = begin; i < end; ++i) {
-      text += fmt::format("{},{:.17g}\n", rows[i].id, edge_distance(camera, chart, rows[i].direction));
+      text += rows[i].id;
+      text += ',';
+      append_number(text, edge_distance(camera, chart, rows[i].direction));
+      text += '\n';
     }
   });
   write_table(options.out, text);

@@ -23,8 +23,8 @@ using LinesOf = std::function<std::string(std::span<const RayRow>)>;
 
 //! Writes a header line and the lines of each camera's rays.
 void write_lines(const RayFiles& files, const char* head, const LinesOf& lines) {
-  const std::vector<RayRow> rows = read_ray_table(files.rays);
-  std::string text = head;
+  const RayRows rows = read_ray_table(files.rays);
+  LargeText text = head;
   for_each_camera(
       rows, [&](std::size_t begin, std::size_t end) { text += lines(std::span(rows).subspan(begin, end - begin)); });
   write_table(files.out, text);

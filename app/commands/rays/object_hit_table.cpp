@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "content/tables/number_text.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/parallel_for.h"
 
@@ -24,9 +25,12 @@ std::optional<std::string> line_of(const RayRow& row, const CameraStation& camer
   if (hit->mesh < 0) {
     return std::string();
   }
-  return fmt::format("{},{},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", row.id, hit->mesh,
-                     objects.triangle(*hit), hit->weight_1, hit->weight_2, hit->point.x, hit->point.y, hit->point.z,
-                     hit->delay);
+  std::string text = fmt::format("{},{},{}", row.id, hit->mesh, objects.triangle(*hit));
+  for (const double number : {hit->weight_1, hit->weight_2, hit->point.x, hit->point.y, hit->point.z, hit->delay}) {
+    text += ',';
+    append_number(text, number);
+  }
+  return text += '\n';
 }
 
 }  // namespace

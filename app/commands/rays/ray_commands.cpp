@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "app/commands/rays/ray_groups.h"
 #include "content/files/console.h"
 #include "content/files/printable.h"
+#include "content/tables/number_text.h"
 #include "content/tables/ray_table.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
@@ -70,7 +72,7 @@ struct BatchArrays {
 //! Fills the arrays with rows [begin, end), which share a camera, and returns a batch that refers
 //! to them.
 template <class S>
-RayBatch<S> batch_of(const std::vector<RayRow>& rows, std::size_t begin, BatchArrays<S>& arrays) {
+RayBatch<S> batch_of(const RayRows& rows, std::size_t begin, BatchArrays<S>& arrays) {
   RayBatch<S> batch{};
   batch.camera = converted_station<S>(station_of(rows[begin]));
   batch.count = static_cast<int>(arrays.g.size());
@@ -92,29 +94,67 @@ RayBatch<S> batch_of(const std::vector<RayRow>& rows, std::size_t begin, BatchAr
 }
 
 //! Output of `trace`: one line per ray.
-struct SkyTable {
-  std::vector<std::string> lines;
+struct SkyTable : TableText {
+  TablePartWriter write;       //!< takes finished lines; empty if the lines must be reordered first
   std::size_t unresolved = 0;  //!< rays that did not converge
+
+  //! Passes on the lines so far.
+  void flush() {
+    if (write) {
+      write(text);
+      text.clear();
+      begins.clear();
+    }
+  }
 };
+
+//! Writes numbers, each followed by a character, and returns the end of the text.
+template <class S, std::size_t count>
+char* write_numbers(char* to, const S (&numbers)[count], char after) {
+  for (const S number : numbers) {
+    to = write_number(to, static_cast<double>(number));
+    *to++ = after;
+  }
+  return to;
+}
 
 //! Appends a line for each ray of a batch that starts at row `begin`. The error estimate is empty
 //! for rays that did not converge.
 template <class S>
-void append_rays(const std::vector<RayRow>& rows, std::size_t begin, const BatchArrays<S>& arrays, SkyTable& table) {
-  constexpr const char* words[] = {"escaped", "captured", "not_converged"};
+void append_rays(const RayRows& rows, std::size_t begin, const BatchArrays<S>& arrays, SkyTable& table) {
+  constexpr std::string_view words[] = {",escaped,", ",captured,", ",not_converged,"};
   for (std::size_t i = 0; i < arrays.g.size(); ++i) {
     const auto status = static_cast<std::size_t>(arrays.status[i]);
     const bool unresolved = status == static_cast<std::size_t>(LightEnd::unresolved);
-    std::string text = fmt::format("{},{},", rows[begin + i].id, words[status]);
+    char line[8 * room_for_number];
+    char* end = std::ranges::copy(words[status], line).out;
     if (status == 0) {
-      text += fmt::format("{:.17g},{:.17g},{:.17g},", arrays.sky[0][i], arrays.sky[1][i], arrays.sky[2][i]);
+      end = write_numbers(end, {arrays.sky[0][i], arrays.sky[1][i], arrays.sky[2][i]}, ',');
     } else {
-      text += ",,,";
+      end = std::fill_n(end, 3, ',');
     }
-    text += fmt::format("{:.17g},{:.0f},", arrays.g[i], arrays.steps[i]);
-    text += unresolved ? "\n" : fmt::format("{:.17g}\n", arrays.error_estimate[i]);
-    table.lines.push_back(std::move(text));
+    end = write_numbers(end, {arrays.g[i]}, ',');
+    const fmt::format_int steps(static_cast<long>(arrays.steps[i]));
+    end = std::copy_n(steps.data(), steps.size(), end);
+    *end++ = ',';
+    if (!unresolved) {
+      end = write_number(end, static_cast<double>(arrays.error_estimate[i]));
+    }
+    *end++ = '\n';
+    table.begins.push_back(table.text.size());
+    table.text += rows[begin + i].id;
+    table.text.append(line, static_cast<std::size_t>(end - line));
     table.unresolved += unresolved ? 1 : 0;
+  }
+  table.flush();
+}
+
+//! Calls work(begin, end) for blocks of rows [begin, end). The arrays of a block stay in the cache.
+template <class Work>
+void for_each_block(std::size_t begin, std::size_t end, const Work& work) {
+  constexpr std::size_t rows_at_once = 16'384;
+  for (; begin < end; begin += rows_at_once) {
+    work(begin, std::min(begin + rows_at_once, end));
   }
 }
 
@@ -131,24 +171,25 @@ double usual_tolerance(const std::string& method, bool in_float) {
 
 //! Traces rows [begin, end), which share a camera, and appends a line for each.
 template <class S>
-void trace_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
-                 SkyTable& table) {
-  BatchArrays<S> arrays(end - begin);
+void trace_group(const RayRows& rows, std::size_t begin, std::size_t end, const RayOptions& options, SkyTable& table) {
   const double tolerance =
       options.tolerance > 0.0 ? options.tolerance : usual_tolerance(options.method, sizeof(S) == 4);
-  RayBatch<S> batch = batch_of(rows, begin, arrays);
-  batch.settings = {tolerance, 1'000'000};
-  if (options.method == "baseline_rk34") {
-    batch.settings.step_limit = 20'000;  // 10 times the published tracer's limit
-  }
-  batch.method = methods.at(options.method);
-  launch(Backend::cpu, batch);
-  append_rays(rows, begin, arrays, table);
+  for_each_block(begin, end, [&](std::size_t first, std::size_t last) {
+    BatchArrays<S> arrays(last - first);
+    RayBatch<S> batch = batch_of(rows, first, arrays);
+    batch.settings = {tolerance, 1'000'000};
+    if (options.method == "baseline_rk34") {
+      batch.settings.step_limit = 20'000;  // 10 times the published tracer's limit
+    }
+    batch.method = methods.at(options.method);
+    launch(Backend::cpu, batch);
+    append_rays(rows, first, arrays, table);
+  });
 }
 
 //! Looks up the rays of rows [begin, end), which share a camera, in a lens grid built for it, and
 //! appends a line for each to the table. Prints statistics of the grid.
-void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
+void look_up_group(const RayRows& rows, std::size_t begin, std::size_t end, const RayOptions& options,
                    SkyTable& table) {
   const RayRow& row = rows[begin];
   GridSettings settings;
@@ -160,12 +201,15 @@ void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size
   const auto start = std::chrono::steady_clock::now();
   const LensStation station = build_lens_station(row.spacetime, row.r, row.theta, settings, &statistics);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-  BatchArrays<double> arrays(end - begin);
   const LensGrid grid = grid_view(station);
-  LookUpRaysBatch<double> batch{batch_of(rows, begin, arrays), {grid.chart, {grid, grid}, {}, 0.0F}, settings.observer};
-  batch.rays.settings = {options.tolerance > 0.0 ? options.tolerance : 1e-9, 10'000};
-  launch(Backend::cpu, batch);
-  append_rays(rows, begin, arrays, table);
+  for_each_block(begin, end, [&](std::size_t first, std::size_t last) {
+    BatchArrays<double> arrays(last - first);
+    LookUpRaysBatch<double> batch{
+        batch_of(rows, first, arrays), {grid.chart, {grid, grid}, {}, 0.0F}, settings.observer};
+    batch.rays.settings = {options.tolerance > 0.0 ? options.tolerance : 1e-9, 10'000};
+    launch(Backend::cpu, batch);
+    append_rays(rows, first, arrays, table);
+  });
   print_out(
       "a {:.9g} r {:.9g} theta {:.9g}: {}{}, {} traced, {}, {} of them ({:.0f} px) left to direct rays, "
       "{:.1f} ms\n",
@@ -177,7 +221,7 @@ void look_up_group(const std::vector<RayRow>& rows, std::size_t begin, std::size
 
 //! Looks up the rays of rows [begin, end), which share a camera, in the quadtree grid of Verbraeck
 //! & Eisemann (2021), and appends a line for each to the table. Prints statistics of the grid.
-void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std::size_t end, const RayOptions& options,
+void read_quadtree_group(const RayRows& rows, std::size_t begin, std::size_t end, const RayOptions& options,
                          SkyTable& table) {
   const RayRow& row = rows[begin];
   QuadtreeSettings settings;
@@ -207,9 +251,11 @@ void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std
                                   {shadows.front().view(), shadows.back().view()},
                                   cameras.size() > 1 ? 0.5F : 0.0F,
                                   linear ? QuadtreeInterpolation::linear : QuadtreeInterpolation::spline};
-  BatchArrays<double> arrays(end - begin);
-  launch(Backend::cpu, QuadtreeRaysBatch{batch_of(rows, begin, arrays), look_up});
-  append_rays(rows, begin, arrays, table);
+  for_each_block(begin, end, [&](std::size_t first, std::size_t last) {
+    BatchArrays<double> arrays(last - first);
+    launch(Backend::cpu, QuadtreeRaysBatch{batch_of(rows, first, arrays), look_up});
+    append_rays(rows, first, arrays, table);
+  });
   print_out("a {:.9g} r {:.9g} theta {:.9g}: {} rays traced{}, {:.1f} ms\n", row.spacetime.spin, row.r, row.theta,
             lenses.front().vertex_count() + (lenses.size() > 1 ? lenses.back().vertex_count() : 0),
             mirrored ? " (half the sky, mirrored)" : "", time.count());
@@ -218,24 +264,30 @@ void read_quadtree_group(const std::vector<RayRow>& rows, std::size_t begin, std
 void run_trace(const RayOptions& options) {
   // Groups the rows so that a grid is built only once for each camera.
   const GroupedRows grouped = grouped_by_camera(read_ray_table(options.rays));
-  const std::vector<RayRow>& rows = grouped.rows;
-  SkyTable table;
-  table.lines.reserve(rows.size());
-  for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
-    if (options.method == "grid") {
-      look_up_group(rows, begin, end, options, table);
-    } else if (options.method == "quadtree") {
-      read_quadtree_group(rows, begin, end, options, table);
-    } else if (options.precision == "float") {
-      trace_group<float>(rows, begin, end, options, table);
-    } else {
-      trace_group<double>(rows, begin, end, options, table);
+  const RayRows& rows = grouped.rows;
+  std::size_t unresolved = 0;
+  write_table_in_parts(options.out, [&](const TablePartWriter& write) {
+    SkyTable table;
+    table.text = "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n";
+    if (grouped.position.empty()) {
+      table.write = write;
     }
+    for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
+      if (options.method == "grid") {
+        look_up_group(rows, begin, end, options, table);
+      } else if (options.method == "quadtree") {
+        read_quadtree_group(rows, begin, end, options, table);
+      } else if (options.precision == "float") {
+        trace_group<float>(rows, begin, end, options, table);
+      } else {
+        trace_group<double>(rows, begin, end, options, table);
+      }
+    });
+    unresolved = table.unresolved;
+    write(text_in_place(std::move(table), grouped.position));
   });
-  write_table(options.out,
-              "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n" + joined_in_place(table.lines, grouped.position));
-  if (table.unresolved > 0) {
-    print_note("{} of {} did not converge; choose {}another --method", table.unresolved, counted(rows.size(), "ray"),
+  if (unresolved > 0) {
+    print_note("{} of {} did not converge; choose {}another --method", unresolved, counted(rows.size(), "ray"),
                options.method == "closed_form" ? "" : "a coarser --tolerance, or ");
   }
 }

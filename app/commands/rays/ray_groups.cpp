@@ -1,6 +1,7 @@
 #include "app/commands/rays/ray_groups.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -19,7 +20,10 @@ auto camera_of(const RayRow& row) {
   return std::tuple(row.spacetime.spin, row.r, row.theta, row.motion, row.velocity.x, row.velocity.y, row.velocity.z);
 }
 
-bool same_camera(const RayRow& a, const RayRow& b) { return camera_of(a) == camera_of(b); }
+bool same_camera(const RayRow& a, const RayRow& b) {
+  return a.spacetime.spin == b.spacetime.spin && a.r == b.r && a.theta == b.theta && a.motion == b.motion &&
+         a.velocity.x == b.velocity.x && a.velocity.y == b.velocity.y && a.velocity.z == b.velocity.z;
+}
 
 }  // namespace
 
@@ -39,13 +43,25 @@ std::string ray_table_help() {
          "The extension of --out chooses the format: .csv, .tsv (tabs) or .json (an array of objects).";
 }
 
-GroupedRows grouped_by_camera(std::vector<RayRow> rows) {
-  std::map<decltype(camera_of(rows[0])), std::size_t> number_of;
-  std::vector<std::size_t> camera(rows.size());
+GroupedRows grouped_by_camera(RayRows rows) {
+  std::map<decltype(camera_of(rows[0])), std::uint32_t> number_of;
+  LargeVector<std::uint32_t> camera(rows.size());
+  bool are_grouped = true;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    camera[i] = number_of.try_emplace(camera_of(rows[i]), number_of.size()).first->second;
+    if (i > 0 && same_camera(rows[i - 1], rows[i])) {
+      camera[i] = camera[i - 1];
+      continue;
+    }
+    const auto [found, is_new] =
+        number_of.try_emplace(camera_of(rows[i]), static_cast<std::uint32_t>(number_of.size()));
+    camera[i] = found->second;
+    are_grouped = are_grouped && is_new;
   }
   GroupedRows grouped;
+  if (are_grouped) {
+    grouped.rows = std::move(rows);
+    return grouped;
+  }
   grouped.position.resize(rows.size());
   std::iota(grouped.position.begin(), grouped.position.end(), std::size_t{0});
   std::ranges::stable_sort(grouped.position, {}, [&](std::size_t i) { return camera[i]; });
@@ -56,19 +72,25 @@ GroupedRows grouped_by_camera(std::vector<RayRow> rows) {
   return grouped;
 }
 
-std::string joined_in_place(const std::vector<std::string>& lines, const std::vector<std::size_t>& position) {
-  std::vector<std::size_t> from(position.size());
+LargeText text_in_place(TableText table, const LargeVector<std::size_t>& position) {
+  if (position.empty()) {
+    return std::move(table.text);
+  }
+  LargeVector<std::size_t> from(position.size());
   for (std::size_t i = 0; i < position.size(); ++i) {
     from[position[i]] = i;
   }
-  std::string text;
+  LargeText text;
+  text.reserve(table.text.size());
+  text.append(table.text, 0, table.begins.front());
+  table.begins.push_back(table.text.size());
   for (const std::size_t i : from) {
-    text += lines[i];
+    text.append(table.text, table.begins[i], table.begins[i + 1] - table.begins[i]);
   }
   return text;
 }
 
-void for_each_camera(const std::vector<RayRow>& rows, const std::function<void(std::size_t, std::size_t)>& work) {
+void for_each_camera(const RayRows& rows, const std::function<void(std::size_t, std::size_t)>& work) {
   constexpr std::size_t longest_run = 1'000'000;
   Progress progress("tracing", static_cast<long>(std::max<std::size_t>(rows.size(), 1)));
   for (std::size_t begin = 0; begin < rows.size();) {

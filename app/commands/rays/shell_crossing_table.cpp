@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <vector>
 
+#include "content/tables/number_text.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
 #include "kernels/launch/parallel_for.h"
@@ -36,8 +38,14 @@ struct LineWriter {
     const double phi = turned <= -pi ? pi : turned;
     const double g = 1.0 / zamo_frequency(row.spacetime.spin, r, std::sin(theta), std::cos(theta), ray.energy,
                                           ray.axial_angular_momentum);
-    text += fmt::format("{},{},{:.17g},{:.17g},{:.17g},{:.17g},{},{:.17g}\n", row.id, count, theta, phi, at.time,
-                        at.delay, at.u_rate > 0.0 ? 1 : 0, g);
+    fmt::format_to(std::back_inserter(text), "{},{}", row.id, count);
+    for (const double number : {theta, phi, at.time, at.delay}) {
+      text += ',';
+      append_number(text, number);
+    }
+    text += at.u_rate > 0.0 ? ",1," : ",0,";
+    append_number(text, g);
+    text += '\n';
     ++count;
   }
   static void turn(bool /*lanes*/, const NearPosition<double>& /*at*/) {}

@@ -1,5 +1,6 @@
 #include "content/tables/ray_table.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@ using testing::HasSubstr;
 
 const std::string header = "a,r,theta,observer,n_r,n_theta,n_phi\n";
 
-std::vector<RayRow> parsed_rays(const std::string& text) {
+RayRows parsed_rays(const std::string& text) {
   std::istringstream stream(text);
   return read_ray_table(stream, "rays.csv");
 }
@@ -120,6 +121,23 @@ TEST(RayTable, WhoIsBoostedNeedsAllColumnsOfTheVelocity) {
     EXPECT_THAT(ray_problem("a,r,theta,observer,n_r,n_theta,n_phi,beta_r,beta_theta,beta_ph\n" + row),
                 AllOf(HasSubstr("rays.csv:2"), HasSubstr("no column beta_phi"), HasSubstr(observer + ",")));
     EXPECT_EQ(ray_problem("a,r,theta,observer,n_r,n_theta,n_phi,beta_r,beta_theta,beta_phi\n" + row), "");
+  }
+}
+
+TEST(RayTable, ReadsEveryRowOfALongTableWithItsCamera) {
+  std::string text = "id," + header;
+  constexpr int rows = 20'000;  // more than the reader takes from the file at once
+  for (int i = 0; i < rows; ++i) {
+    text += fmt::format("{0},0.5,{1},1,zamo,0,0,{0}.5\n", i, 6 + i / 3 % 2);
+  }
+  const auto table = parsed_rays(text);
+  ASSERT_EQ(table.size(), static_cast<std::size_t>(rows));
+  for (int i = 0; i < rows; ++i) {
+    const RayRow& row = table[static_cast<std::size_t>(i)];
+    EXPECT_EQ(row.id, std::to_string(i));
+    EXPECT_EQ(row.r, 6 + i / 3 % 2);
+    EXPECT_EQ(row.spacetime.spin, 0.5);
+    EXPECT_EQ(row.direction.z, 1.0);
   }
 }
 
