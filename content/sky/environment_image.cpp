@@ -11,6 +11,7 @@
 #include "content/files/printable.h"
 #include "content/files/whole_file.h"
 #include "content/images/image_library.h"
+#include "content/images/plain/plain_jpeg.h"
 #include "content/show/show_errors.h"
 #include "content/sky/cube_map.h"
 #include "kernels/core/error.h"
@@ -219,7 +220,10 @@ EnvironmentImage read_shape(ImageInput& input, const std::string& name, int larg
 
 EnvironmentImage read_with(const ImageLibrary::Wishes& wishes, const std::string& name, int largest_width) {
   std::string problem;
-  const auto input = image_library().open(name, wishes, problem);
+  auto input = wishes.bytes || !wishes.layer.empty() ? nullptr : open_plain_jpeg(name);
+  if (!input) {
+    input = image_library().open(name, wishes, problem);
+  }
   if (!input) {
     throw Error(name, "cannot be read as an image: " + problem,
                 "use an equirectangular EXR, HDR, PNG, TIFF or JPEG image");

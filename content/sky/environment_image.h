@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "content/show/show.h"
+#include "kernels/launch/large_memory.h"
 
 namespace ergodome {
 
@@ -45,7 +45,7 @@ struct EnvironmentImage {
   int width = 0;
   int height = 0;           //!< width / 2
   int file_width = 0;       //!< width of the image in the file, which may be larger; 0 if there is no file
-  std::vector<float> rgb;   //!< 3 * width * height, finite and >= 0
+  LargeVector<float> rgb;   //!< 3 * width * height, finite and >= 0
   RepairedTexels repaired;  //!< statistics of invalid texels in the file
 };
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kernels/launch/cuda.h"
+#include "kernels/launch/large_memory.h"
 #include "kernels/launch/launch.h"
 #include "kernels/launch/work_counter.h"
 
@@ -91,7 +92,7 @@ class Buffer {
     if (backend == Backend::cuda) {
       return allocate_cuda(std::max<std::size_t>(bytes, 1));
     }
-    void* memory = std::aligned_alloc(64, (bytes / 64 + 1) * 64);
+    void* memory = bytes < min_large_bytes ? std::aligned_alloc(64, (bytes / 64 + 1) * 64) : allocate_large(bytes);
     if (memory == nullptr) {
       throw std::bad_alloc();
     }

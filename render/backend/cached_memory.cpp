@@ -1,13 +1,13 @@
 #include "render/backend/cached_memory.h"
 
 #include <malloc.h>
-#include <sys/mman.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <mutex>
-#include <new>
 #include <vector>
+
+#include "kernels/launch/large_memory.h"
 
 namespace ergodome {
 
@@ -83,16 +83,10 @@ void keep_freed_memory() {
 }
 
 void* take_large_block(std::size_t bytes) {
-  const std::size_t whole = whole_pages(bytes);
-  if (void* const kept = block_cache().take(whole)) {
+  if (void* const kept = block_cache().take(whole_pages(bytes))) {
     return kept;
   }
-  void* const memory = std::aligned_alloc(page_bytes, whole);
-  if (memory == nullptr) {
-    throw std::bad_alloc();
-  }
-  static_cast<void>(madvise(memory, whole, MADV_HUGEPAGE));
-  return memory;
+  return allocate_large(bytes);
 }
 
 void return_large_block(void* memory, std::size_t bytes) noexcept {

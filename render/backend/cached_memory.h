@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/launch/large_memory.h"
+
 namespace ergodome {
 
 //! Makes the process keep freed memory for later allocations: successive pictures need the same
@@ -37,14 +39,14 @@ class UnfilledAllocator : public std::allocator<T> {
   //! pictures.
   [[nodiscard]] T* allocate(std::size_t count) {
     const std::size_t bytes = count * sizeof(T);
-    if (bytes < min_large) {
+    if (bytes < min_large_bytes) {
       return std::allocator<T>::allocate(count);
     }
     return static_cast<T*>(take_large_block(bytes));
   }
 
   void deallocate(T* memory, std::size_t count) noexcept {
-    if (count * sizeof(T) < min_large) {
+    if (count * sizeof(T) < min_large_bytes) {
       return std::allocator<T>::deallocate(memory, count);
     }
     return_large_block(memory, count * sizeof(T));
@@ -58,9 +60,6 @@ class UnfilledAllocator : public std::allocator<T> {
   void construct(U* at, Values&&... values) {
     ::new (static_cast<void*>(at)) U(std::forward<Values>(values)...);
   }
-
- private:
-  static constexpr std::size_t min_large = std::size_t{1} << 22U;
 };
 
 // Smaller arrays have only the default alignment, and kernels write the four floats of a pixel at

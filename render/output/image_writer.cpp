@@ -11,6 +11,7 @@
 
 #include "content/files/atomic_file.h"
 #include "content/images/image_library.h"
+#include "content/images/plain/png_file.h"
 #include "kernels/core/error.h"
 #include "render/output/file_checksum.h"
 #include "render/output/tone_map.h"
@@ -172,6 +173,9 @@ bool is_whole(const std::filesystem::path& path, int width, int height, int part
   if (!std::filesystem::is_regular_file(path, problem) || !may_be_whole(path)) {
     return false;
   }
+  if (const std::optional<bool> whole = is_whole_png(path.string(), width, height)) {
+    return *whole && parts == 1;
+  }
   std::string reason;
   const auto input = image_library().open(path.string(), {}, reason);
   if (!input) {
@@ -200,10 +204,11 @@ Error cannot_be_written(const std::filesystem::path& path, ImageOutput* output) 
   return {path.string(), "cannot be written: " + reason, "check the folder, its permissions and the free space"};
 }
 
-//! Creates a writer for a format; nullptr if the image library cannot.
-std::unique_ptr<ImageOutput> writer_of(const char* format) {
+//! Creates a writer for an image in a format; nullptr if the image library cannot.
+std::unique_ptr<ImageOutput> writer_of(std::string_view format, const ImagePlan& plan) {
   std::string problem;
-  return image_library().create(format, nullptr, problem);
+  return format == "png" && is_for_png_output(plan) ? png_output()
+                                                    : image_library().create(std::string(format), nullptr, problem);
 }
 
 }  // namespace
@@ -211,8 +216,8 @@ std::unique_ptr<ImageOutput> writer_of(const char* format) {
 void write_picture(const std::filesystem::path& path, const FrameFormat& format, const Picture& picture,
                    const FrameMetadata& metadata) {
   write_atomically(path, [&](const std::filesystem::path& partial) {
-    const auto output = writer_of(plugin_of(format.image));
     const ImagePlan plan[] = {make_plan(format, picture, metadata)};
+    const auto output = writer_of(plugin_of(format.image), plan[0]);
     const bool written = output && output->open(partial.string(), plan) && write_pixels(*output, format, picture);
     // Closing flushes, so it can fail too.
     if (!written || !output->close() || !is_whole(partial, picture.width, picture.height, 1)) {
@@ -234,7 +239,7 @@ void write_views(const std::filesystem::path& path, const FrameFormat& format, c
     plans[i].texts.emplace_back("view", views[i]);
   }
   write_atomically(path, [&](const std::filesystem::path& partial) {
-    const auto output = writer_of("openexr");
+    const auto output = writer_of("openexr", plans[0]);
     bool written = output && output->open(partial.string(), plans);
     for (int i = 0; i < 2 && written; ++i) {
       written =
@@ -260,7 +265,7 @@ void write_numbers(const std::filesystem::path& path, ExrCompression compression
   plan.chromaticities.assign(std::begin(rec709), std::end(rec709));
   plan.channel_names = image.channels;
   write_atomically(path, [&](const std::filesystem::path& partial) {
-    const auto output = writer_of("openexr");
+    const auto output = writer_of("openexr", plan);
     const bool written =
         output && output->open(partial.string(), std::span(&plan, 1)) && output->write(image.values.data());
     if (!written || !output->close() || !is_whole(partial, image.width, image.height, 1)) {
@@ -273,8 +278,8 @@ void write_numbers(const std::filesystem::path& path, ExrCompression compression
 void write_png(const std::filesystem::path& path, const std::vector<std::uint8_t>& rgb, int width, int height,
                const FrameMetadata& metadata) {
   write_atomically(path, [&](const std::filesystem::path& partial) {
-    const auto output = writer_of("png");
     const ImagePlan plan[] = {{width, height, 3, ImageSample::whole_8, texts_of(metadata), {}, {}}};
+    const auto output = writer_of("png", plan[0]);
     const bool written = output && output->open(partial.string(), plan) && output->write(rgb.data()) && output->close();
     // The library does not report a full disk as an error, so the file is read again.
     if (!written || !is_whole(partial, width, height, 1)) {

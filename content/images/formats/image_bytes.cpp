@@ -4,7 +4,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <limits>
 #include <memory>
 
 namespace ergodome {
@@ -44,8 +44,7 @@ std::string ImageBytes::all() const {
   if (!std::filesystem::is_regular_file(name_, problem)) {
     return "";  // A folder can be opened but not read.
   }
-  std::ifstream file(name_, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  return head(std::numeric_limits<std::size_t>::max());
 }
 
 std::uintmax_t ImageBytes::size() const {

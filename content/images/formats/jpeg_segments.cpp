@@ -1,6 +1,8 @@
 #include "content/images/formats/jpeg_segments.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <map>
 
 namespace ergodome {
@@ -57,6 +59,17 @@ bool has_jpeg_end(std::string_view bytes) {
     segment = next_segment(bytes, at);
   } while (segment.marker != no_marker && segment.marker != end_of_image);
   return segment.marker == end_of_image;
+}
+
+bool is_plain_jpeg(std::string_view bytes) {
+  // Start of image, JFIF, quantization tables, baseline frame, Huffman tables, restart interval
+  constexpr unsigned plain_markers[] = {0xD8, 0xE0, 0xDB, 0xC0, 0xC4, 0xDD};
+  std::size_t at = 0;
+  JpegSegment segment;
+  do {
+    segment = next_segment(bytes, at);
+  } while (std::ranges::find(plain_markers, segment.marker) != std::end(plain_markers));
+  return segment.marker == start_of_scan;
 }
 
 std::string jpeg_icc_profile(std::string_view bytes) {

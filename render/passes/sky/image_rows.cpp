@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/common.hpp>
+#include <cstring>
 #include <numbers>
 
 namespace ergodome {
@@ -78,6 +78,31 @@ void positions_in_map(const DirectionRow& row, std::span<float> x, std::span<flo
   }
 }
 
+namespace {
+
+//! The three colors of a texel, and a fourth float without meaning.
+using TexelVector __attribute__((vector_size(16))) = float;
+
+//! Returns a + part (b - a) as glm::mix() does.
+TexelVector mixed(const TexelVector& a, const TexelVector& b, float part) { return a * (1.0F - part) + b * part; }
+
+//! Interpolates between a texel and its right neighbor.
+TexelVector between_neighbors(const float* texel, float right) {
+  TexelVector first;
+  TexelVector second;
+  std::memcpy(&first, texel, sizeof first);
+  // Starts with the last color of the first texel, so that it ends with the neighbor.
+  std::memcpy(&second, texel + 2, sizeof second);
+  return mixed(first, __builtin_shufflevector(second, second, 1, 2, 3, 0), right);
+}
+
+//! Interpolates between texels that are not neighbors in memory.
+TexelVector between_texels_apart(const float* a, const float* b, float right) {
+  return mixed(TexelVector{a[0], a[1], a[2]}, TexelVector{b[0], b[1], b[2]}, right);
+}
+
+}  // namespace
+
 glm::vec3 ImageRows::between_texels(float x, float y) const {
   // `std::floor` is a function call if the compiler targets old CPUs.
   const auto below = [](float value) { return static_cast<int>(value) - (value < 0.0F ? 1 : 0); };
@@ -85,17 +110,17 @@ glm::vec3 ImageRows::between_texels(float x, float y) const {
   const int upper = below(y);
   const float right = x - static_cast<float>(left);
   const float lower = y - static_cast<float>(upper);
-  const auto column = [&](int i) { return 3 * static_cast<std::size_t>(i < 0 ? i + image_.width : i); };
   const auto line = [&](int j) {
     return image_.rgb.data() +
            3 * static_cast<std::size_t>(std::clamp(j, 0, image_.height - 1)) * static_cast<std::size_t>(image_.width);
   };
   const auto across = [&](const float* texels) {
-    const float* const a = texels + column(left);
-    const float* const b = texels + column(left + 1);
-    return glm::mix(glm::vec3(a[0], a[1], a[2]), glm::vec3(b[0], b[1], b[2]), right);
+    const std::size_t column = 3 * static_cast<std::size_t>(left < 0 ? left + image_.width : left);
+    return left == -1 ? between_texels_apart(texels + column, texels, right)
+                      : between_neighbors(texels + column, right);
   };
-  return glm::mix(across(line(upper)), across(line(upper + 1)), lower);
+  const TexelVector light = mixed(across(line(upper)), across(line(upper + 1)), lower);
+  return {light[0], light[1], light[2]};
 }
 
 void ImageRows::read(const DirectionRow& row, std::span<glm::vec3> light) const {

@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "kernels/launch/parallel_for.h"
+#include "render/backend/cached_memory.h"
 #include "render/passes/sky/image_rows.h"
 
 namespace ergodome {
@@ -50,11 +51,14 @@ class TexelWeights {
     }
   }
 
-  [[nodiscard]] double at(int x, int y) const {
-    const auto i = static_cast<std::size_t>(x);
+  //! Computes the weights of a row of texels, the same on all faces.
+  void read_row(int y, std::vector<double>& weights) const {
     const auto j = static_cast<std::size_t>(y);
-    const double square = 1.0 + middle_[i] * middle_[i] + middle_[j] * middle_[j];
-    return width_[i] * width_[j] / (square * std::sqrt(square));
+    weights.resize(width_.size());
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      const double square = 1.0 + middle_[i] * middle_[i] + middle_[j] * middle_[j];
+      weights[i] = width_[i] * width_[j] / (square * std::sqrt(square));
+    }
   }
 
  private:
@@ -81,25 +85,33 @@ class SampleRows {
   std::vector<float> s_;
 };
 
+//! Returns the number of texels of a cube map with all levels and borders.
+std::size_t texel_count(int face_size) {
+  std::size_t texels = 0;
+  for (auto size = static_cast<std::size_t>(face_size); size >= 1; size /= 2) {
+    texels += 6 * (size + 2) * (size + 2);
+  }
+  return texels;
+}
+
 //! The faces and mip levels in host memory while they are built.
 class Pyramid {
  public:
-  explicit Pyramid(int face_size) {
+  //! `texels`: uninitialized memory for texel_count(face_size) texels.
+  Pyramid(int face_size, float* texels) : texels_(texels) {
     map_.face_size = face_size;
     long offset = 0;
     for (int size = face_size; size >= 1; size /= 2) {
       map_.level_offset[map_.level_count++] = offset;
       offset += 6L * (size + 2) * (size + 2);
     }
-    texels_.assign(4 * static_cast<std::size_t>(offset), 0.0F);
-    map_.texels = texels_.data();
+    map_.texels = texels_;
   }
 
   [[nodiscard]] int size(int level) const { return map_.face_size >> level; }
   [[nodiscard]] const CubeMap& map() const { return map_; }
-  [[nodiscard]] std::vector<float>& texels() { return texels_; }
 
-  float* texel(int level, int face, int x, int y) { return texels_.data() + 4 * texel_index(map_, level, face, x, y); }
+  float* texel(int level, int face, int x, int y) { return texels_ + 4 * texel_index(map_, level, face, x, y); }
 
   void set(int level, int face, int x, int y, const glm::vec4& light) {
     float* to = texel(level, face, x, y);
@@ -112,10 +124,15 @@ class Pyramid {
   //! Computes a level; each texel is the mean of the four finer ones, weighted by solid angle.
   void reduce(int level) {
     const TexelWeights weights(size(level - 1));
-    parallel_for(6 * size(level), 8, [&](int begin, int end) {
-      for (int row = begin; row < end; ++row) {
-        for (int x = 0; x < size(level); ++x) {
-          reduce_texel(level, row / size(level), x, row % size(level), weights);
+    parallel_for(size(level), 8, [&](int begin, int end) {
+      std::vector<double> rows[2];
+      for (int y = begin; y < end; ++y) {
+        weights.read_row(2 * y, rows[0]);
+        weights.read_row(2 * y + 1, rows[1]);
+        for (int face = 0; face < 6; ++face) {
+          for (int x = 0; x < size(level); ++x) {
+            reduce_texel(level, face, x, y, rows);
+          }
         }
       }
     });
@@ -134,14 +151,14 @@ class Pyramid {
   }
 
  private:
-  void reduce_texel(int level, int face, int x, int y, const TexelWeights& weights) {
+  //! `weights`: those of the two rows of finer texels.
+  void reduce_texel(int level, int face, int x, int y, const std::vector<double> (&weights)[2]) {
     glm::dvec4 sum(0.0);
     double all = 0.0;
     for (int i = 0; i < 4; ++i) {
       const int fine_x = 2 * x + i % 2;
-      const int fine_y = 2 * y + i / 2;
-      const double weight = weights.at(fine_x, fine_y);
-      const float* from = texel(level - 1, face, fine_x, fine_y);
+      const double weight = weights[i / 2][static_cast<std::size_t>(fine_x)];
+      const float* from = texel(level - 1, face, fine_x, 2 * y + i / 2);
       sum += weight * glm::dvec4(from[0], from[1], from[2], from[3]);
       all += weight;
     }
@@ -169,7 +186,7 @@ class Pyramid {
   }
 
   CubeMap map_{};
-  std::vector<float> texels_;
+  float* texels_;
 };
 
 }  // namespace
@@ -194,7 +211,11 @@ SkyCube::SkyCube(Backend backend, int face_size, const std::function<glm::vec3(c
 
 void SkyCube::build(Backend backend, int face_size, const LightOfRow& light, const TemperatureFit* fit,
                     const char* name) {
-  Pyramid pyramid(face_size);
+  const std::size_t floats = 4 * texel_count(face_size);
+  texels_ = Buffer<float>(backend, floats, name);
+  // The CPU builds the map in its own memory, in that of the buffer if possible.
+  PixelValues host(backend == Backend::cpu ? 0 : floats);
+  Pyramid pyramid(face_size, host.empty() ? texels_.data() : host.data());
   const SampleRows samples(face_size);
   parallel_for(6 * face_size, 8, [&](int begin, int end) {
     std::vector<glm::vec3> upper(2 * static_cast<std::size_t>(face_size));
@@ -218,16 +239,10 @@ void SkyCube::build(Backend backend, int face_size, const LightOfRow& light, con
     pyramid.fill_border(level);
   }
   map_ = pyramid.map();
-  texels_ = Buffer<float>(backend, pyramid.texels(), name);
+  texels_.write(host.data(), host.size());
 }
 
-std::size_t SkyCube::bytes_for(int map_width) {
-  std::size_t texels = 0;
-  for (auto size = static_cast<std::size_t>(face_size_for(map_width)); size >= 1; size /= 2) {
-    texels += 6 * (size + 2) * (size + 2);
-  }
-  return 4 * sizeof(float) * texels;
-}
+std::size_t SkyCube::bytes_for(int map_width) { return 4 * sizeof(float) * texel_count(face_size_for(map_width)); }
 
 CubeMap SkyCube::view() const {
   CubeMap map = map_;

@@ -196,7 +196,7 @@ TEST_F(EnvironmentImageFile, OfAMirroredMapHasTheFirstTexelLast) {
   const EnvironmentImage image = load_sky_map(show);
   std::vector<float> turned = constant(16, 8, 3, 0.0F);
   turned[3 * (2 * 16 + 14)] = 1.0F;
-  EXPECT_EQ(image.rgb, turned);
+  EXPECT_THAT(image.rgb, testing::ElementsAreArray(turned));
 }
 
 TEST_F(EnvironmentImageFile, BrokenTexelsAreRepairedAndCounted) {
