@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <random>
 #include <tuple>
 #include <utility>
 
@@ -18,18 +19,16 @@
 #include "app/cli/progress.h"
 #include "app/cli/show_loading.h"
 #include "app/cli/show_options.h"
+#include "app/commands/bake_settings.h"
 #include "app/commands/inspect/inspect_trajectory.h"
 #include "content/files/atomic_file.h"
 #include "content/files/console.h"
 #include "content/files/printable.h"
-#include "content/show/animated_show.h"
 #include "content/trajectory/trajectory_journal.h"
 #include "content/trajectory/trajectory_reader.h"
 #include "kernels/core/error.h"
-#include "kernels/projection/pixel_measure.h"
 #include "render/bake/trajectory_baker.h"
 #include "render/frame/require_path.h"
-#include "render/frame/show_renderer.h"
 
 namespace ergodome {
 
@@ -61,18 +60,25 @@ std::optional<std::pair<int, int>> part_of(const std::string& text) {
 }
 
 BakeSettings settings_of(const BakeOptions& options, const Show& show) {
-  BakeSettings settings;
-  // An animated field of view is baked at its minimum, where pixels are finest.
-  const ViewSettings view = show_at_least(show).view;
-  const Projection projection = make_projection(view, options.size_px > 0 ? options.size_px : view.size_px, 0.0);
-  settings.pixel = pixel_angle(projection);
-  settings.share = sky_share(projection);
-  settings.budget_px = options.budget_px > 0.0 ? options.budget_px : show.quality.budget_px;
+  BakeSettings settings = bake_settings(show, options.size_px, options.budget_px);
   settings.derivatives = !options.no_derivatives;
   if (!options.part.empty()) {
     std::tie(settings.part, settings.parts) = part_of(options.part).value();
   }
   return settings;
+}
+
+//! Opens the journal of a part. If another process bakes the same part, or a machine that is believed
+//! to have failed holds the lock, opens a new journal beside it: both contain the same stations, and
+//! joining the parts takes each once.
+TrajectoryJournal open_part(const fs::path& path, const TrajectoryProvenance& provenance) {
+  std::optional<TrajectoryJournal> journal = TrajectoryJournal::try_open(path, provenance);
+  if (journal) {
+    return std::move(*journal);
+  }
+  const fs::path own = fmt::format("{}-{:08x}", path.string(), std::random_device()());
+  print_note("{} is in use by another process; this part is baked to {}", path.string(), own.string());
+  return {own, provenance};
 }
 
 fs::path journal_path(const BakeOptions& options, const BakeSettings& settings) {
@@ -126,6 +132,19 @@ void require_own(const fs::path& out, const Show& show) {
     // A trajectory that is damaged or of another version cannot be used here, but another version
     // of the program may need it.
     refuse("already exists and does not belong to this show: " + error.problem());
+  }
+}
+
+//! Adds the stations of all parts to a journal. Skips parts that another process is still writing,
+//! because the bake computes stations that are missing.
+void absorb_parts(const std::vector<fs::path>& parts, const TrajectoryProvenance& provenance,
+                  TrajectoryJournal& journal) {
+  for (const fs::path& part : parts) {
+    if (const std::optional<TrajectoryJournal> finished = TrajectoryJournal::try_open(part, provenance)) {
+      journal.absorb(*finished);
+    } else {
+      print_note("{} is still in use by another process; its missing stations are baked again", part.string());
+    }
   }
 }
 
@@ -193,20 +212,19 @@ void run(const BakeOptions& options) {
   }
   const std::string name = out.filename().string();
   const bool whole = settings.parts == 1;
-  std::vector<fs::path> journals = {journal_path(options, settings)};
+  const fs::path path = journal_path(options, settings);
+  std::vector<fs::path> journals = {path};
   const std::vector<fs::path> parts = whole ? beside(out, name + ".part-", "") : std::vector<fs::path>{};
-  if (parts.empty() && !fs::exists(journals.front()) && is_baked(out, provenance)) {
+  if (parts.empty() && !fs::exists(path) && is_baked(out, provenance)) {
     print_out("{}: is already baked\n", out.string());
     return;
   }
-  TrajectoryJournal journal(journals.front(), provenance);
-  for (const fs::path& part : parts) {
-    journal.absorb(TrajectoryJournal(part, provenance));
-    journals.push_back(part);
-  }
+  TrajectoryJournal journal = whole ? TrajectoryJournal(path, provenance) : open_part(path, provenance);
+  absorb_parts(parts, provenance, journal);
+  journals.insert(journals.end(), parts.begin(), parts.end());
   const BakeResult result = bake(show, settings, journal);
   if (!whole) {
-    print_out("{}: part {} of {} is baked ({}); run bake without --part to join the parts\n", journals.front().string(),
+    print_out("{}: part {} of {} is baked ({}); run bake without --part to join the parts\n", path.string(),
               settings.part, settings.parts, counted(journal.station_count(), "station"));
     return;
   }

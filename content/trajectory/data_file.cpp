@@ -27,12 +27,20 @@ DataFile DataFile::open(const std::filesystem::path& path) {
 }
 
 DataFile DataFile::open_locked(const std::filesystem::path& path) {
+  std::optional<DataFile> file = try_open_locked(path);
+  if (!file) {
+    throw Error(path.string(), "is in use by another ergodome bake", "wait until it ends, or bake to another file");
+  }
+  return std::move(*file);
+}
+
+std::optional<DataFile> DataFile::try_open_locked(const std::filesystem::path& path) {
   DataFile file(path, ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
   if (file.handle_ < 0) {
     file.fail("cannot be written", "check the folder and its permissions");
   }
   if (::flock(file.handle_, LOCK_EX | LOCK_NB) != 0) {
-    throw Error(path.string(), "is in use by another ergodome bake", "wait until it ends, or bake to another file");
+    return std::nullopt;
   }
   return file;
 }

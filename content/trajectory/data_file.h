@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 
 #include "content/files/bytes.h"
@@ -18,6 +19,9 @@ class DataFile {
   //! Opens a file for reading and appending, and locks it against other processes. Creates it if it
   //! does not exist. Throws Error if another process has locked it.
   static DataFile open_locked(const std::filesystem::path& path);
+
+  //! Does the same as open_locked(), but returns nothing if another process has locked the file.
+  static std::optional<DataFile> try_open_locked(const std::filesystem::path& path);
 
   DataFile(DataFile&& other) noexcept;
   DataFile& operator=(DataFile&&) = delete;

@@ -30,8 +30,17 @@ struct GrowingFile {
 }  // namespace
 
 TrajectoryJournal::TrajectoryJournal(const std::filesystem::path& path, const TrajectoryProvenance& provenance)
-    : file_(DataFile::open_locked(path)), provenance_(provenance) {
+    : TrajectoryJournal(DataFile::open_locked(path), provenance) {}
+
+TrajectoryJournal::TrajectoryJournal(DataFile file, const TrajectoryProvenance& provenance)
+    : file_(std::move(file)), provenance_(provenance) {
   scan();
+}
+
+std::optional<TrajectoryJournal> TrajectoryJournal::try_open(const std::filesystem::path& path,
+                                                             const TrajectoryProvenance& provenance) {
+  std::optional<DataFile> file = DataFile::try_open_locked(path);
+  return file ? std::optional(TrajectoryJournal(std::move(*file), provenance)) : std::nullopt;
 }
 
 void TrajectoryJournal::scan() {

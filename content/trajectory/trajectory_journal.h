@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,11 @@ class TrajectoryJournal {
   //! Opens or creates a journal, and removes a truncated or damaged frame and all that follows it.
   //! Throws Error if another process uses the journal, or if it belongs to another bake.
   TrajectoryJournal(const std::filesystem::path& path, const TrajectoryProvenance& provenance);
+
+  //! Opens or creates a journal like the constructor, but returns nothing if another process uses
+  //! it.
+  static std::optional<TrajectoryJournal> try_open(const std::filesystem::path& path,
+                                                   const TrajectoryProvenance& provenance);
 
   [[nodiscard]] bool has_station(double time_s) const { return stations_.contains(time_s); }
   [[nodiscard]] std::size_t station_count() const { return stations_.size(); }
@@ -50,6 +56,7 @@ class TrajectoryJournal {
   };
   using FileRanges = std::map<double, FileRange>;
 
+  TrajectoryJournal(DataFile file, const TrajectoryProvenance& provenance);
   void scan();
   bool take_frame(std::uint64_t offset, std::uint64_t end, std::uint64_t& next);
   [[nodiscard]] std::string station_name(double time_s) const;

@@ -1,6 +1,8 @@
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -146,6 +148,38 @@ TEST_F(BakeCommand, PartsOfSeveralProcessesJoinToTheSameFile) {
   EXPECT_THAT(output_, HasSubstr("(0 computed now)"));
   EXPECT_TRUE(text("joined.trajectory") == text("whole.trajectory"));
   EXPECT_FALSE(fs::exists(folder_ / "joined.trajectory.part-1-of-3"));
+}
+
+//! A file that another process uses, as a machine does that is believed to have failed.
+class FileInUse {
+ public:
+  explicit FileInUse(const fs::path& file) : handle_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+    EXPECT_EQ(::flock(handle_, LOCK_EX | LOCK_NB), 0);
+  }
+  ~FileInUse() { ::close(handle_); }
+  FileInUse(const FileInUse&) = delete;
+  FileInUse& operator=(const FileInUse&) = delete;
+
+ private:
+  int handle_;
+};
+
+TEST_F(BakeCommand, PartsInUseAreBakedAgainBesideThemAndJoinToTheSameFile) {
+  write("short.toml",
+        std::string(moving_show).replace(std::string(moving_show).find("size_px = 512"), 13, "size_px = 64"));
+  ASSERT_EQ(run("bake short.toml --out whole.trajectory"), 0) << output_;
+  {
+    const FileInUse first(folder_ / "joined.trajectory.part-1-of-2");
+    ASSERT_EQ(run("bake short.toml --out joined.trajectory --part 1/2"), 0) << output_;
+    EXPECT_THAT(output_,
+                HasSubstr("joined.trajectory.part-1-of-2 is in use by another process; this part is baked to"));
+    const FileInUse second(folder_ / "joined.trajectory.part-2-of-2");
+    ASSERT_EQ(run("bake short.toml --out joined.trajectory"), 0) << output_;
+    EXPECT_THAT(output_, HasSubstr("joined.trajectory.part-2-of-2 is still in use"));
+  }
+  EXPECT_TRUE(text("joined.trajectory") == text("whole.trajectory"));
+  ASSERT_EQ(run("bake short.toml --out joined.trajectory --part 2/2"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("is already baked"));
 }
 
 TEST_F(BakeCommand, RenderStreamsFromTheFileBesideTheShowAndSkipsABadStation) {
