@@ -144,6 +144,11 @@ std::optional<double> ShowRenderer::followed_stops() const {
   return exposure != nullptr ? std::optional(exposure->stops()) : std::nullopt;
 }
 
+std::optional<double> ShowRenderer::metered_light() const {
+  const auto* const exposure = passes_.find<ExposurePass>();
+  return exposure != nullptr ? std::optional(exposure->light()) : std::nullopt;
+}
+
 void ShowRenderer::follow_from(double stops, double clock_s) {
   if (auto* const exposure = passes_.find<ExposurePass>()) {
     exposure->follow_from(stops, clock_s);

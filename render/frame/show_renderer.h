@@ -148,6 +148,9 @@ class ShowRenderer {
   //! for pictures at the time `clock_s`; they may come from another renderer.
   [[nodiscard]] std::optional<double> followed_stops() const;
   void follow_from(double stops, double clock_s);
+  //! Returns the light that automatic exposure measured in the last picture, or nothing without
+  //! automatic exposure.
+  [[nodiscard]] std::optional<double> metered_light() const;
 
   //! Returns the tone settings of pictures, without automatic exposure.
   [[nodiscard]] Tone tone() const;

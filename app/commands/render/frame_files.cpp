@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
 #include "app/commands/render/frame_metadata.h"
 #include "app/commands/render/numbered_frames.h"
 #include "app/commands/render/sequence_metadata.h"
@@ -57,7 +59,12 @@ FrameFiles::FrameFiles(const RenderOptions& options, const ShowRenderer& rendere
       choice_(choice),
       format_(format_of(options)),
       requests_(std::move(requests)) {
-  made_.make_folder(options.out);
+  if (!options.light.empty()) {
+    light_.emplace(options.light, renderer.show(), requests_);
+  }
+  if (options.meter.empty()) {
+    made_.make_folder(options.out);
+  }
   format_.rate = frame_rate_of(renderer.show().frame_rate_hz);
   if (setup) {
     const std::vector<ProjectorPicture> pictures = projector_pictures(*setup);
@@ -155,6 +162,10 @@ std::filesystem::path FrameFiles::first_file_of(int frame) const {
 }
 
 std::string FrameFiles::stops_before(int frame) const {
+  if (light_) {
+    const std::optional<double> stops = light_->stops_at(frame - 1);
+    return stops ? stops_text(*stops) : anew;
+  }
   const bool alike = frame > 0 && was_asked_alike(frame - 1);
   const std::string stops = alike ? metadata_of_image(first_file_of(frame - 1), followed_stops_metadata) : "";
   return number_of(stops) ? stops : anew;
@@ -296,6 +307,21 @@ bool FrameFiles::is_there(int frame, FramePart part) const {
     }
   }
   return true;
+}
+
+std::vector<int> lacking_frames(const FrameFiles& files, int first, int last) {
+  Progress progress("checking frames", last - first + 1);
+  std::vector<int> lacking;
+  for (int frame = first; frame <= last; ++frame) {
+    if (interrupted()) {
+      throw Error("checking frames", "was stopped", "run the command again");
+    }
+    if (!files.is_there(frame)) {
+      lacking.push_back(frame);
+    }
+    progress.advance_to(frame - first + 1);
+  }
+  return lacking;
 }
 
 }  // namespace ergodome

@@ -9,6 +9,7 @@
 
 #include "app/cli/setup_show.h"
 #include "app/commands/render/created_files.h"
+#include "app/commands/render/followed_light.h"
 #include "app/commands/render/frame_request.h"
 #include "app/commands/render/render_options.h"
 #include "render/frame/show_renderer.h"
@@ -55,6 +56,8 @@ class FrameFiles : public Output {
   //! Returns the existing frames, from 0, before `first` and after `last` that have other
   //! fingerprints or are beyond the end of the show. Checks at most a few thousand frames.
   [[nodiscard]] std::vector<int> asked_otherwise(int first, int last) const;
+  //! Returns the fingerprint of a frame's request.
+  [[nodiscard]] std::string request_of(int frame) const;
   //! Returns how many of the frames `next` to `last` do not exist.
   [[nodiscard]] long missing(int next, int last) const;
 
@@ -78,8 +81,9 @@ class FrameFiles : public Output {
   //! Returns the stops that automatic exposure applied to the last picture; nothing without it, for
   //! heat maps, and for EXR files, which are linear.
   [[nodiscard]] std::optional<double> followed_stops() const;
-  //! Returns the stops in the file of the frame before `frame`, as text. Returns the constant
-  //! `anew` if that frame is missing, has another fingerprint or stores no stops.
+  //! Returns the stops of the frame before `frame`, as text: with --light those that follow from
+  //! the light, otherwise those in the frame's file. Returns the constant `anew` if there is no such
+  //! light, or if that frame is missing, has another fingerprint or stores no stops.
   [[nodiscard]] std::string stops_before(int frame) const;
   //! Returns the first file of a frame: that of the left eye, the first cube face or the first
   //! projector, if these have files of their own.
@@ -90,8 +94,6 @@ class FrameFiles : public Output {
   //! Creates a folder of frames and removes temporary files that killed programs left there.
   void enter(const std::filesystem::path& folder);
   [[nodiscard]] bool is_there(int frame, FramePart part) const;
-  //! Returns the fingerprint of a frame's request.
-  [[nodiscard]] std::string request_of(int frame) const;
   [[nodiscard]] bool was_asked_alike(int frame) const;
   //! Returns the numbers of the existing frames of this show.
   [[nodiscard]] std::vector<int> lying_there() const;
@@ -104,6 +106,7 @@ class FrameFiles : public Output {
   FrameFormat format_;
   FrameRequests requests_;
   std::optional<ProjectorFrames> projectors_;
+  std::optional<FollowedLight> light_;  //!< of --light
   CreatedFiles made_;
   int frame_ = 0;
   int exposed_ = -1;           //!< frame after the last one of wish(); its exposure needs no stops from files
@@ -114,5 +117,9 @@ class FrameFiles : public Output {
   long unresolved_ = 0;
   bool reported_no_legend_ = false;
 };
+
+//! Returns the frames of [first, last] that FrameFiles::is_there() rejects. Throws Error if
+//! interrupted.
+std::vector<int> lacking_frames(const FrameFiles& files, int first, int last);
 
 }  // namespace ergodome

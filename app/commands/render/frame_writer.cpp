@@ -63,6 +63,11 @@ void FrameWriter::write(int frame) {
   ++written_;
 }
 
+double FrameWriter::meter(int frame) {
+  static_cast<void>(renderer_.render_frame(frame_time_s(renderer_.show(), frame), files_.choice()));
+  return renderer_.metered_light().value_or(0.0);
+}
+
 void FrameWriter::report_reduced_baseline(double time_s) {
   if (renderer_.reduced_baseline() && !std::exchange(reported_reduced_baseline_, true)) {
     print_note_once(note_of(renderer_.show(), time_s, *renderer_.reduced_baseline()));

@@ -23,6 +23,9 @@ class FrameWriter {
   //! Renders and writes a frame, counted from 0. With --resume, keeps it if FrameFiles::is_there().
   void write(int frame);
 
+  //! Renders a frame, counted from 0, and returns its light for automatic exposure. Writes nothing.
+  double meter(int frame);
+
   //! Encodes the frames first to last as films: one, or one for each eye with its own files. With
   //! --delete-frames, each film is then read back. Throws Error if it does not contain these
   //! frames.

@@ -34,6 +34,10 @@ struct RenderOptions : ShowOverrides {
   std::string language;  //!< language tag of captions, readout, title and narration
   LensOptions lens;
   bool resume = false;
+  bool verify = false;      //!< checks frames and renders none
+  bool no_summary = false;  //!< writes no metadata summary of the frames
+  std::string meter;        //!< folder to which the frames' light is written, instead of frames
+  std::string light;        //!< folder of such light, from which automatic exposure is followed
   std::string pattern;
   std::vector<std::string> budget;  //!< words of --budget
   //! Number of show times at which the error is checked against the budget, instead of writing

@@ -23,8 +23,8 @@ void ExposurePass::finish_frame(FinishedFrame& frame) {
   for (const FinishedEye& eye : frame.eyes) {
     meter.add(*eye.picture);
   }
-  frame.tone.gain *=
-      static_cast<float>(std::exp2(exposure_.follow(meter.middle_light(), frame.clock_s - last_clock_s_)));
+  light_ = meter.middle_light();
+  frame.tone.gain *= static_cast<float>(std::exp2(exposure_.follow(light_, frame.clock_s - last_clock_s_)));
   last_clock_s_ = frame.clock_s;
 }
 

@@ -34,12 +34,15 @@ class ExposurePass : public Pass {
 
   //! Returns the automatic exposure of the last frame [stops], by which its gain was changed.
   [[nodiscard]] double stops() const { return exposure_.stops(); }
+  //! Returns the mean light of the last frame.
+  [[nodiscard]] double light() const { return light_; }
   //! Continues from the exposure `stops` that this or another pass chose for a frame at `clock_s`.
   void follow_from(double stops, double clock_s);
 
  private:
   AutoExposure exposure_;
   double last_clock_s_ = 0.0;
+  double light_ = 0.0;
 };
 
 }  // namespace ergodome
