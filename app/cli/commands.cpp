@@ -54,6 +54,7 @@ int run_commands(int argc, char** argv) {
   app.failure_message([](const CLI::App*, const CLI::Error& problem) { return parser_message(problem); });
   add_play_command(app);
   add_render_command(app);
+  add_farm_command(app);
   add_bake_command(app);
   add_inspect_command(app);
   add_plan_command(app);

@@ -12,6 +12,7 @@
 #include "app/cli/show_options.h"
 #include "app/commands/channels/channel_frames.h"
 #include "app/commands/channels/channel_options.h"
+#include "app/commands/render/frame_check.h"
 #include "app/commands/render/frame_range.h"
 #include "app/commands/render/frame_request.h"
 #include "app/commands/render/frame_writer.h"

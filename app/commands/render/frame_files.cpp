@@ -7,8 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/cli/interrupt.h"
-#include "app/cli/progress.h"
 #include "app/commands/render/frame_metadata.h"
 #include "app/commands/render/numbered_frames.h"
 #include "app/commands/render/sequence_metadata.h"
@@ -307,21 +305,6 @@ bool FrameFiles::is_there(int frame, FramePart part) const {
     }
   }
   return true;
-}
-
-std::vector<int> lacking_frames(const FrameFiles& files, int first, int last) {
-  Progress progress("checking frames", last - first + 1);
-  std::vector<int> lacking;
-  for (int frame = first; frame <= last; ++frame) {
-    if (interrupted()) {
-      throw Error("checking frames", "was stopped", "run the command again");
-    }
-    if (!files.is_there(frame)) {
-      lacking.push_back(frame);
-    }
-    progress.advance_to(frame - first + 1);
-  }
-  return lacking;
 }
 
 }  // namespace ergodome

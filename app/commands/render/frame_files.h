@@ -118,8 +118,4 @@ class FrameFiles : public Output {
   bool reported_no_legend_ = false;
 };
 
-//! Returns the frames of [first, last] that FrameFiles::is_there() rejects. Throws Error if
-//! interrupted.
-std::vector<int> lacking_frames(const FrameFiles& files, int first, int last);
-
 }  // namespace ergodome
