@@ -134,11 +134,11 @@ void make_film(FarmOptions& options, const std::vector<std::string>& words) {
   options.render.out = fs::absolute(options.render.out).lexically_normal().string();
   require_idle(options.render.out);
   const FarmFolder folder(options.render.out);
+  const FarmFilm film = farm_film(options, words);
   std::optional<LocalLock> lock;
   if (options.engine == "local" && !options.dry_run) {
     lock.emplace(folder.path());
   }
-  const FarmFilm film = farm_film(options, words);
   const FarmPlan plan = farm_plan(options, film);
   const int number = folder.newest_run() + 1;
   const RunFiles files = files_of(options, plan, folder.run_folder(number));

@@ -29,8 +29,9 @@ class FarmCommand : public CommandLine {
 
   //! Runs the command for the show, in tasks of three frames and without a bake.
   int farm(const std::string& more) {
-    return run(std::string("farm film.toml --out 'my film' --backend cpu --bake 0 --program '" ERGODOME_PROGRAM "' ") +
-               (more.find("--chunk") == std::string::npos ? "--chunk 3 " : "") + more);
+    return run(
+        std::string("farm film.toml --out 'my film' --backend cpu --bake 0 --program '" ERGODOME_CALL_PROGRAM "' ") +
+        (more.find("--chunk") == std::string::npos ? "--chunk 3 " : "") + more);
   }
 
   [[nodiscard]] std::string frame(int number) const {
@@ -49,7 +50,7 @@ TEST_F(FarmCommand, MakesTheFramesOfASingleRun) {
 }
 
 TEST_F(FarmCommand, BakesInPartsFirst) {
-  ASSERT_EQ(run("farm film.toml --out film --backend cpu --chunk 8 --bake 2 --program '" ERGODOME_PROGRAM "'"), 0)
+  ASSERT_EQ(run("farm film.toml --out film --backend cpu --chunk 8 --bake 2 --program '" ERGODOME_CALL_PROGRAM "'"), 0)
       << output_;
   EXPECT_THAT(output_, HasSubstr("bake: 2 tasks done\njoin: 1 task done\nrender: 1 task done\n"));
   std::string trajectory;
@@ -83,8 +84,9 @@ TEST_F(FarmCommand, RepairsFramesThatAreMissingDamagedOrOfOtherSettings) {
 }
 
 TEST_F(FarmCommand, ReportsAFailedTaskWithItsLogAndRepairsIt) {
-  write("broken", "#!/bin/bash\n[[ $* != *4:6* ]] || { echo 'not enough memory' >&2; exit 9; }\nexec '" ERGODOME_PROGRAM
-                  "' \"$@\"\n");
+  write("broken",
+        "#!/bin/bash\n[[ $* != *4:6* ]] || { echo 'not enough memory' >&2; exit 9; }\nexec '" ERGODOME_CALL_PROGRAM
+        "' \"$@\"\n");
   fs::permissions(folder_ / "broken", fs::perms::owner_all);
   EXPECT_EQ(run("farm film.toml --out 'my film' --backend cpu --bake 0 --chunk 3 --program ./broken"), 1);
   EXPECT_THAT(output_, HasSubstr("ergodome: farm: 1 task of step render failed; the last one (4:6) printed: not enough "
@@ -114,7 +116,7 @@ TEST_F(FarmCommand, PrintsScriptsAndChangesNothingInADryRun) {
       output_,
       AllOf(HasSubstr("### submit.sh\n#!/bin/bash\n"), HasSubstr(" --partition=gpu --gpus=1 "),
             HasSubstr("submit render --job-name=film-render --output="),
-            HasSubstr("attempt render \"$task\" apptainer exec \"my image.sif\" " ERGODOME_PROGRAM
+            HasSubstr("attempt render \"$task\" apptainer exec \"my image.sif\" " ERGODOME_CALL_PROGRAM
                       " render film.toml '--out="),
             HasSubstr("--set=sky.exposure=0.5 --backend=cpu --resume --no-summary --frames \"$task\"\n"),
             HasSubstr(" --frames=1:8 --verify --movie=film.mkv\n"), HasSubstr("### render.tasks\n1:3\n4:6\n7:8\n")));

@@ -26,7 +26,8 @@ class SplitFilms : public CommandLine {
     write("film.toml", show);
     ASSERT_EQ(run("render film.toml --backend cpu --out whole " + options), 0) << output_;
     ASSERT_EQ(
-        run("farm film.toml --backend cpu --out split --chunk 3 --bake 0 --jobs 3 --program '" ERGODOME_PROGRAM "' " +
+        run("farm film.toml --backend cpu --out split --chunk 3 --bake 0 --jobs 3 --program '" ERGODOME_CALL_PROGRAM
+            "' " +
             options),
         0)
         << output_;
@@ -62,7 +63,7 @@ TEST_F(SplitFilms, HaveTheAutomaticExposureOfOneRunAfterARepair) {
   for (const char* frame : {"split/film_000001.png", "split/film_000004.png", "split/film_000005.png"}) {
     fs::remove(folder_ / frame);
   }
-  ASSERT_EQ(run("farm film.toml --backend cpu --out split --chunk 3 --bake 0 --program '" ERGODOME_PROGRAM "'"), 0)
+  ASSERT_EQ(run("farm film.toml --backend cpu --out split --chunk 3 --bake 0 --program '" ERGODOME_CALL_PROGRAM "'"), 0)
       << output_;
   EXPECT_THAT(output_, HasSubstr("render: 2 tasks done"));
   expect_frames();
@@ -70,8 +71,8 @@ TEST_F(SplitFilms, HaveTheAutomaticExposureOfOneRunAfterARepair) {
 
 TEST_F(SplitFilms, HaveTheStarsAndTrailsOfOneRun) {
   expect_same_film(std::string(split_camera) +
-                   "stars = \"bright_stars\"\n[effects]\nbloom = { strength = 0.2 }\ntwinkle = { strength = 0.5 }\n"
-                   "trails = { shutter_s = 0.3 }\n");
+                   "stars = \"bright_stars\"\n[effects]\npsf = { sigma_px = 0.7 }\nbloom = { strength = 0.2 }\n"
+                   "redshift = true\nmagnification = true\ntrails = { shutter_s = 0.3 }\n");
 }
 
 TEST_F(SplitFilms, HaveTheDiskAndBothEyesOfOneRun) {
@@ -81,7 +82,9 @@ TEST_F(SplitFilms, HaveTheDiskAndBothEyesOfOneRun) {
 TEST_F(SplitFilms, HaveTheSettingsThatABudgetChoseOnce) {
   write("film.toml", split_camera);
   ASSERT_EQ(
-      run("farm film.toml --backend cpu --out split --chunk 3 --budget 1px,30fps --program '" ERGODOME_PROGRAM "'"), 0)
+      run("farm film.toml --backend cpu --out split --chunk 3 --budget 1px,30fps --program '" ERGODOME_CALL_PROGRAM
+          "'"),
+      0)
       << output_;
   // The settings are an option of every task; a second run takes them from the first.
   const std::string script = text("split/farm/runs/0001/render.sh");
@@ -91,7 +94,9 @@ TEST_F(SplitFilms, HaveTheSettingsThatABudgetChoseOnce) {
   ASSERT_EQ(run("render film.toml --backend cpu --out whole " + settings), 0) << output_;
   expect_frames();
   ASSERT_EQ(
-      run("farm film.toml --backend cpu --out split --chunk 3 --budget 1px,30fps --program '" ERGODOME_PROGRAM "'"), 0)
+      run("farm film.toml --backend cpu --out split --chunk 3 --budget 1px,30fps --program '" ERGODOME_CALL_PROGRAM
+          "'"),
+      0)
       << output_;
   EXPECT_THAT(output_, testing::Not(HasSubstr("render:")));
 }
