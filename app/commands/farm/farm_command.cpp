@@ -72,7 +72,7 @@ void cancel_film(const fs::path& out) {
 
 //! Throws Error if the newest run of a film still has tasks in a queue: a new run would render the
 //! same frames again.
-void require_idle(const fs::path& out) {
+void require_idle(const fs::path& out, const std::string& engine) {
   if (FarmFolder(out).newest_run() == 0) {
     return;
   }
@@ -80,7 +80,17 @@ void require_idle(const fs::path& out) {
   if (run.engine != "slurm") {
     return;  // a local farm holds a lock, and other schedulers cannot be asked
   }
-  if (is_active(statuses_of(run))) {
+  bool active = false;
+  try {
+    active = is_active(statuses_of(run));
+  } catch (const Error& problem) {
+    if (engine == "slurm") {
+      throw;
+    }
+    // The film may be finished on a machine without Slurm.
+    print_note("{}; tasks of run {} may still be in Slurm's queue", problem.problem(), run.number);
+  }
+  if (active) {
     throw Error(out.string(), fmt::format("run {} still has tasks in Slurm's queue", run.number),
                 "wait until they end (--status), or stop them with --cancel");
   }
@@ -132,7 +142,7 @@ void make_film(FarmOptions& options, const std::vector<std::string>& words) {
                      "choose another folder");
   }
   options.render.out = fs::absolute(options.render.out).lexically_normal().string();
-  require_idle(options.render.out);
+  require_idle(options.render.out, options.engine);
   const FarmFolder folder(options.render.out);
   const FarmFilm film = farm_film(options, words);
   std::optional<LocalLock> lock;

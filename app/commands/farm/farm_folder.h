@@ -52,7 +52,7 @@ struct FilmChoices {
   std::vector<std::string> quality;  //!< options that replace --budget
 };
 
-//! Returns the stored choices of a film, or nothing if there are none for this fingerprint.
+//! Returns the stored choices of a film, or nothing for another fingerprint.
 std::optional<FilmChoices> stored_choices(const FarmFolder& folder, const std::string& request);
 void store_choices(const FarmFolder& folder, const FilmChoices& choices);
 

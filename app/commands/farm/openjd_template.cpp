@@ -41,7 +41,7 @@ std::pair<Json, std::string> task_parameter(const FarmStep& step, int chunk) {
           "{{Task.Param.Frame}}"};
 }
 
-//! Returns the amounts that a host must have; empty if there are none.
+//! Returns the amounts that a host must have.
 Json host_amounts(const TaskResources& resources) {
   Json amounts = Json::array();
   if (resources.cpus > 0) {

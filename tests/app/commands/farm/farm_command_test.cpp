@@ -1,16 +1,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "tests/app/cli/command_line.h"
+#include "tests/support/child_process.h"
 
 // Tests of `ergodome farm`, mostly with the engine local. Tasks run the program itself.
 namespace ergodome {
 namespace {
 
 namespace fs = std::filesystem;
+using test::ChildProcess;
 using test::CommandLine;
 using testing::AllOf;
 using testing::HasSubstr;
@@ -155,6 +159,25 @@ TEST_F(FarmCommand, RefusesWhatHasNoEffectOrNoMeaningInOneLine) {
   EXPECT_EQ(run("farm --status nowhere"), 1);
   EXPECT_THAT(output_, HasSubstr("nowhere: contains no film of ergodome farm; name the folder that was --out"));
   EXPECT_EQ(run("farm --cancel nowhere"), 1);
+}
+
+TEST_F(FarmCommand, StopsWhenItIsCanceled) {
+  write("slow", "#!/bin/bash\ntouch begun; exec sleep 60\n");
+  fs::permissions(folder_ / "slow", fs::perms::owner_all);
+  const std::string farm_words = "farm film.toml --out film --backend cpu --bake 0 --chunk 3 --jobs 2 --program ./slow";
+  ChildProcess farm(
+      {"bash", "-c", "cd '" + folder_.string() + "' && exec '" ERGODOME_PROGRAM "' " + farm_words + " 2>&1"});
+  for (int i = 0; i < 3000 && !fs::exists(folder_ / "begun"); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ASSERT_EQ(run("farm --status film"), 0) << output_;
+  EXPECT_THAT(output_, AllOf(HasSubstr("render   2 running, 1 waiting"), HasSubstr("\nrunning: render 1:3 on ")));
+  EXPECT_EQ(run(farm_words), 1);
+  EXPECT_THAT(output_, HasSubstr("is in use by another ergodome farm; wait until it ends, or stop it with --cancel"));
+  ASSERT_EQ(run("farm --cancel film"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr(" was asked to stop"));
+  EXPECT_THAT(farm.output_until("run it again to continue", std::chrono::seconds(30)),
+              HasSubstr("ergodome: farm: was stopped; run it again to continue"));
 }
 
 TEST_F(FarmCommand, ReportsThatNothingRunsWhichItCouldCancel) {
