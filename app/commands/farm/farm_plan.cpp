@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "app/commands/farm/farm_film.h"
 #include "app/commands/farm/farm_folder.h"
 #include "app/commands/farm/frame_chunks.h"
+#include "app/commands/farm/openjd_template.h"
 #include "app/commands/farm/shell_words.h"
 #include "app/commands/render/render_request.h"
 
@@ -87,9 +89,9 @@ FarmPlan farm_plan(const FarmOptions& options, const FarmFilm& film) {
   plan.work_folder = fs::current_path();
   plan.program = program_words(options);
   plan.film = film.frames;
-  plan.chunk = film.chunk;
+  plan.chunk = options.engine == "openjd" ? std::min(film.chunk, max_openjd_chunk) : film.chunk;
   const auto chunks = [&](const std::vector<int>& frames) {
-    return options.engine == "openjd" ? runs_of(film.chunk, frames) : chunks_of(film.frames, film.chunk, frames);
+    return options.engine == "openjd" ? runs_of(plan.chunk, frames) : chunks_of(film.frames, plan.chunk, frames);
   };
   add_bake_steps(film, plan);
   add_frame_step({"light",

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
+
+#include "content/files/printable.h"
 
 namespace ergodome {
 
@@ -12,8 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-//! Maximum size of a chunk that AWS Deadline Cloud accepts.
-constexpr int max_chunk = 150;
 //! Maximum length of a job's name.
 constexpr std::size_t max_job_name = 128;
 
@@ -37,7 +37,7 @@ std::pair<Json, std::string> task_parameter(const FarmStep& step, int chunk) {
   return {Json{{"name", "Frame"},
                {"type", "CHUNK[INT]"},
                {"range", frame_expression(step)},
-               {"chunks", {{"defaultTaskCount", std::min(chunk, max_chunk)}, {"rangeConstraint", "CONTIGUOUS"}}}},
+               {"chunks", {{"defaultTaskCount", chunk}, {"rangeConstraint", "CONTIGUOUS"}}}},
           "{{Task.Param.Frame}}"};
 }
 
@@ -61,7 +61,7 @@ Json host_amounts(const TaskResources& resources) {
 std::string openjd_template(const FarmPlan& plan, const TaskResources& resources, const std::filesystem::path& run) {
   Json job = {{"specificationVersion", "jobtemplate-2023-09"},
               {"extensions", Json::array({"TASK_CHUNKING"})},
-              {"name", plan.name.substr(0, max_job_name)},
+              {"name", std::string(shortened(printable(plan.name), max_job_name))},
               {"steps", Json::array()}};
   std::string before;
   for (const FarmStep& step : plan.steps) {

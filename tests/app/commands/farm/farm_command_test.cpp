@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -159,6 +160,39 @@ TEST_F(FarmCommand, RefusesWhatHasNoEffectOrNoMeaningInOneLine) {
   EXPECT_EQ(run("farm --status nowhere"), 1);
   EXPECT_THAT(output_, HasSubstr("nowhere: contains no film of ergodome farm; name the folder that was --out"));
   EXPECT_EQ(run("farm --cancel nowhere"), 1);
+}
+
+TEST_F(FarmCommand, SubmitsToSlurmOnceAndAsksItsQueue) {
+  const auto write_program = [&](const std::string& name, const std::string& text) {
+    write("bin/" + name, "#!/bin/bash\ncd \"${0%/*}\" || exit\n" + text + "\n");
+    fs::permissions(folder_ / "bin" / name, fs::perms::owner_all);
+  };
+  fs::create_directory(folder_ / "bin");
+  write_program("sbatch", "echo x >>jobs; echo $((10 + $(wc -l <jobs)))");
+  write_program("squeue", "cat queue");
+  write_program("scancel", "echo \"$@\" >canceled");
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", ((folder_ / "bin").string() + ":" + path).c_str(), 1);
+  ASSERT_EQ(farm("--engine slurm"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("submitted: render (3 tasks), film (1 task)\n"));
+  // The first call of sbatch was for its version, so render has job 12 and film has job 13.
+  write("bin/queue", "12 2 RUNNING\n12 3 PENDING\n13 N/A PENDING\n99 1 RUNNING\n");
+  write("my film/farm/runs/0001/attempts/render-4-6.n1-7-1", "began 100 render 4:6 7 n1\n");
+  write("my film/farm/runs/0001/attempts/render-1-3.n1-6-1", "began 90 render 1:3 6 n1\nended 99 1\n");
+  EXPECT_EQ(run("farm --status 'my film'"), 1);
+  EXPECT_THAT(output_, AllOf(HasSubstr("  render   1 running, 1 waiting, 1 failed\n  film     1 waiting\n"),
+                             HasSubstr("running: render 4:6 on n1 since ")));
+  EXPECT_EQ(farm("--engine slurm"), 1);
+  EXPECT_THAT(output_, HasSubstr("run 1 still has tasks in Slurm's queue; wait until they end (--status), or stop them "
+                                 "with --cancel"));
+  ASSERT_EQ(run("farm --cancel 'my film'"), 0) << output_;
+  EXPECT_EQ(text("bin/canceled"), "13 12\n");
+  write_program("squeue", "echo 'slurm_load_jobs error: Unable to contact slurm controller' >&2; exit 1");
+  EXPECT_EQ(farm("--engine slurm"), 1);
+  EXPECT_THAT(output_, HasSubstr("squeue: slurm_load_jobs error: Unable to contact slurm controller; check"));
+  EXPECT_EQ(farm(""), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("tasks of run 1 may still be in Slurm's queue"));
+  ::setenv("PATH", path.c_str(), 1);
 }
 
 TEST_F(FarmCommand, StopsWhenItIsCanceled) {
