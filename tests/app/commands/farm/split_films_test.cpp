@@ -43,7 +43,7 @@ class SplitFilms : public CommandLine {
         ++compared;
       }
     }
-    EXPECT_GE(compared, 8);
+    EXPECT_GE(compared, 5);
   }
 };
 
@@ -71,8 +71,9 @@ TEST_F(SplitFilms, HaveTheAutomaticExposureOfOneRunAfterARepair) {
 
 TEST_F(SplitFilms, HaveTheStarsAndTrailsOfOneRun) {
   expect_same_film(std::string(split_camera) +
-                   "stars = \"bright_stars\"\n[effects]\npsf = { sigma_px = 0.7 }\nbloom = { strength = 0.2 }\n"
-                   "redshift = true\nmagnification = true\ntrails = { shutter_s = 0.3 }\n");
+                       "stars = \"bright_stars\"\n[effects]\npsf = { sigma_px = 0.7 }\nbloom = { strength = 0.2 }\n"
+                       "redshift = true\nmagnification = true\ntrails = { shutter_s = 0.3 }\n",
+                   "--frames 2:6 --size 24");
 }
 
 TEST_F(SplitFilms, HaveTheDiskAndBothEyesOfOneRun) {
