@@ -16,7 +16,7 @@ constexpr std::size_t longest_line = 65'536;
 constexpr std::size_t max_rows = 50'000'000;
 
 //! Returns a cell without surrounding spaces and quotes.
-std::string_view trimmed(std::string_view cell) {
+std::string_view cell_without_blanks(std::string_view cell) {
   while (!cell.empty() && (cell.front() == ' ' || cell.front() == '"')) {
     cell.remove_prefix(1);
   }
@@ -31,7 +31,7 @@ void split(std::string_view line, std::vector<std::string_view>& cells) {
   cells.clear();
   for (std::size_t begin = 0, at = 0; at <= line.size(); ++at) {
     if (at == line.size() || line[at] == ',') {
-      cells.push_back(trimmed(line.substr(begin, at - begin)));
+      cells.push_back(cell_without_blanks(line.substr(begin, at - begin)));
       begin = at + 1;
     }
   }

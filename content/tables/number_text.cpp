@@ -89,7 +89,8 @@ char* write_decimal(char* to, const Decimal& number) {
   // Copies of a fixed length are fast; what they write beyond the end is not part of the text.
   const int whole = std::max(number.exponent + 1, 0);
   if (number.exponent < 0) {
-    std::memcpy(to, "0.000", 5);
+    constexpr char zeros[] = {'0', '.', '0', '0', '0'};
+    std::memcpy(to, zeros, sizeof zeros);
     std::memcpy(to + 1 - number.exponent, digits, digit_count);
     return to + 1 - number.exponent + count;
   }

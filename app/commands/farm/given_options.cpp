@@ -1,5 +1,7 @@
 #include "app/commands/farm/given_options.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
@@ -17,7 +19,7 @@ std::vector<std::string> given_options(const CLI::App& command, const std::vecto
       continue;
     }
     for (const std::string& value : option->results()) {
-      words.push_back(name + "=" + value);
+      words.push_back(fmt::format("{}={}", name, value));
     }
   }
   return words;
