@@ -81,7 +81,7 @@ void window_frame(benchmark::State& state) {
   Picture picture;
   picture.width = 2 * eye_size.width;
   picture.height = eye_size.height;
-  picture.rgba.assign(static_cast<std::size_t>(4 * picture.width * picture.height), 0.1F);
+  picture.rgba.assign(std::size_t{4} * eye_size.width * 2 * eye_size.height, 0.1F);
   Presenter presenter;
   presenter.upload(picture);
   for (auto _ : state) {

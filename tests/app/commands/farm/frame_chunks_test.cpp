@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace ergodome {
 namespace {
 
@@ -10,9 +13,7 @@ using testing::ElementsAre;
 
 std::vector<std::string> texts_of(const std::vector<FrameChunk>& chunks) {
   std::vector<std::string> texts;
-  for (const FrameChunk& chunk : chunks) {
-    texts.push_back(text_of(chunk));
-  }
+  std::ranges::transform(chunks, std::back_inserter(texts), text_of);
   return texts;
 }
 

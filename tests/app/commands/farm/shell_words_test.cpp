@@ -18,7 +18,7 @@ TEST(ShellWords, ReachProgramsUnchanged) {
         std::string("$HOME `id` \"x\" \\ * ? ~ ; & | < > ( ) { } # !"), std::string("two\nlines"),
         std::string("--set=sky.map=\"sky map.png\""), std::string("Schwarzes Loch ä")}) {
     EXPECT_EQ(run_and_read({"bash", "-c", "printf '%s|' " + shell_words({word, word})}, "").output,
-              word + "|" + word + "|");
+              std::string(word).append("|").append(word).append("|"));
   }
 }
 

@@ -20,6 +20,7 @@ class TwoWriters : public CommandLine {
   //! Runs a command in several processes at the same time. Returns the number of those that failed.
   int run_at_once(const std::string& arguments, int processes) {
     std::vector<pid_t> running;
+    running.reserve(static_cast<std::size_t>(processes));
     for (int i = 0; i < processes; ++i) {
       running.push_back(
           start_program({"bash", "-c", "cd '" + folder_.string() + "' && exec '" ERGODOME_PROGRAM "' " + arguments}));
@@ -38,7 +39,7 @@ class TwoWriters : public CommandLine {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::directory_iterator(folder_ / folder)) {
       const std::string name = entry.path().filename().string();
-      files[name] = text(folder + "/" + name);
+      files[name] = text((fs::path(folder) / name).string());
     }
     return files;
   }
