@@ -114,7 +114,8 @@ class PngOutput final : public ImageOutput {
     bool written = write_bytes(png_signature) && write_chunk("IHDR", shape) && (!is_srgb || write_srgb()) &&
                    write_chunk("oFFs", std::string(9, '\0'));
     for (const auto& [name, value] : plan_.texts) {
-      written = written && write_chunk("tEXt", name + '\0' + value.c_str());
+      // A text ends at the first zero byte.
+      written = written && write_chunk("tEXt", name + '\0' + value.substr(0, value.find('\0')));
     }
     return written;
   }
@@ -194,8 +195,8 @@ std::optional<bool> is_whole_png(const std::string& path, int width, int height)
   if (head.size() < head_bytes || !head.starts_with(png_signature) || head.substr(12, 4) != "IHDR") {
     return std::nullopt;
   }
-  const int bits = head[24];
-  const int color_type = head[25];
+  const auto bits = static_cast<unsigned char>(head[24]);
+  const auto color_type = static_cast<unsigned char>(head[25]);
   ImagePlan plan;
   plan.width = width;
   plan.height = height;
