@@ -310,7 +310,7 @@ void Player::limit_disparity() {
     return;
   }
   const double comfort_deg = session_->frame().stereo.comfort_deg;
-  disparity_limit_.note(disparity->range_deg(), comfort_deg);
+  disparity_limit_.note(session_->now_s(), disparity->range_deg(), comfort_deg);
   if (disparity_limit_.take_news()) {
     services_.report(spdlog::level::warn,
                      fmt::format("the disparities of {:.3g}° exceed stereo.comfort_deg ({:.3g}°); the distance between "

@@ -5,16 +5,16 @@
 
 namespace ergodome {
 
-bool DisparityLimit::is_due(double now_s) {
+bool DisparityLimit::is_due(double now_s) const {
   constexpr double interval_s = 1.0;
-  if (now_s - measured_s_ < interval_s) {
-    return false;
-  }
-  measured_s_ = now_s;
-  return true;
+  return now_s - noted_s_ >= interval_s;
 }
 
-void DisparityLimit::note(double range_deg, double comfort_deg) {
+void DisparityLimit::note(double now_s, double range_deg, double comfort_deg) {
+  if (!is_due(now_s)) {
+    return;
+  }
+  noted_s_ = now_s;
   // The distance grows again only when there is some room, and slowly, so that it does not follow
   // every motion.
   constexpr double room = 0.8;

@@ -7,12 +7,13 @@ namespace ergodome {
 //! that distance, but grow toward the hole.
 class DisparityLimit {
  public:
-  //! Returns whether to measure the disparities of the next picture, which takes as long as some
-  //! hundred rays and is therefore done about once per second.
-  [[nodiscard]] bool is_due(double now_s);
+  //! Returns whether to measure the disparities of the next picture. Measuring may take tens of
+  //! milliseconds, so it is due once per second.
+  [[nodiscard]] bool is_due(double now_s) const;
 
-  //! Takes the measured range of a picture whose eyes have the distance factor().
-  void note(double range_deg, double comfort_deg);
+  //! Takes the measured range of a picture. Ignores it unless a measurement is due: the eyes of a
+  //! picture that was requested before the last one was noted may have another distance.
+  void note(double now_s, double range_deg, double comfort_deg);
 
   //! Returns the factor on the distance between the eyes: 1 without a reduction.
   [[nodiscard]] double factor() const { return factor_; }
@@ -25,7 +26,7 @@ class DisparityLimit {
 
  private:
   double factor_ = 1.0;
-  double measured_s_ = -1e9;
+  double noted_s_ = -1e9;
   bool news_ = false;
 };
 
