@@ -150,7 +150,7 @@ class DisplayOutput : public Output {
   virtual void turn_viewer(double /*rate*/) {}
   //! Returns false while nobody looks at the output: while a headset is not worn.
   [[nodiscard]] virtual bool attended() const { return true; }
-  //! Returns the state of a device that the output shows on, for operators; empty if there is none.
+  //! Returns the state of the device on which the output shows, for operators; empty for a window.
   [[nodiscard]] virtual std::string state_text() const { return {}; }
 
   //! Returns the input events since the last call; waits some milliseconds for them.
@@ -159,7 +159,7 @@ class DisplayOutput : public Output {
   [[nodiscard]] virtual std::optional<HeadsetHands> hands() { return std::nullopt; }
   //! Lets the controllers of a headset vibrate. `strength`: 0 to 1.
   virtual void pulse(double /*seconds*/, double /*strength*/) {}
-  //! Returns the size of the area in which the mouse moves [px]; 0 x 0 if there is none.
+  //! Returns the size of the area in which the mouse moves [px]; 0 x 0 for outputs without a mouse.
   [[nodiscard]] virtual ImageSize size() const { return {0, 0}; }
   virtual void toggle_full_screen() {}
   virtual void set_title(const std::string& /*title*/) {}

@@ -41,8 +41,8 @@ struct FarmRun {
   FarmPlan plan;  //!< without words and program
 };
 
-//! Reads the newest run of the film in a folder. Throws Error if there is none or its description is
-//! malformed.
+//! Reads the newest run of the film in a folder. Throws Error if the folder has no run, or if its
+//! description is malformed.
 FarmRun newest_farm_run(const std::filesystem::path& out);
 
 //! Choices of a film that were made from measured times and must stay the same in later runs.

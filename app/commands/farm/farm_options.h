@@ -6,7 +6,7 @@
 
 namespace ergodome {
 
-//! What a task may use; empty: the scheduler's default.
+//! Resources of a task; empty: the scheduler's default.
 struct TaskResources {
   int cpus = 0;  //!< 0: the scheduler's default
   std::string memory;

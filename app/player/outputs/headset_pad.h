@@ -11,8 +11,8 @@ namespace ergodome {
 //! Converts the controllers of a headset to the state of a pad, with the default dead zones and
 //! response curves of pads: sticks, triggers, grips as shoulder buttons, and buttons by position.
 //! The trigger of a hand without a stick moves the camera instead: forward in the right hand, back
-//! in the left one. The stick of a single controller moves forward and back, and turns. Menu buttons, which recenter the view, are left out. `before` is the last
-//! state; triggers and grips count as buttons until they are released far enough.
+//! in the left one. The stick of a single controller moves forward and back, and turns. Menu
+//! buttons, which recenter the view, are left out. `before` is the last state; triggers and grips count as buttons until they are released far enough.
 PadState pad_of(const HeadsetHands& hands, const PadState& before = {});
 
 //! The controllers of a headset as one more pad. Counts presses, and remembers the last input.

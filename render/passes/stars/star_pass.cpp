@@ -408,13 +408,11 @@ StarLights StarPass::lights(const StarEye& eye, const Projection& projection, do
   settings.pixel = pixel;
   const std::vector<StarImage>& images = images_of(eye, projection, settings);
   lights.stars.reserve(images.size());
-  const auto along = [&](const Vector3<float>& n, int axis) {
-    const double(&rows)[3][3] = eye.camera.frame_from_view;
-    return static_cast<float>(n.x * rows[0][axis] + n.y * rows[1][axis] + n.z * rows[2][axis]);
-  };
   for (const StarImage& image : images) {
     const Vector3<float>& n = image.direction;
-    lights.stars.push_back({{along(n, 0), along(n, 1), along(n, 2)}, splat_.scale * image.illuminance});
+    const Vector3<double> view = in_view(eye.camera, {n.x, n.y, n.z});
+    lights.stars.push_back({{static_cast<float>(view.x), static_cast<float>(view.y), static_cast<float>(view.z)},
+                            splat_.scale * image.illuminance});
   }
   return lights;
 }

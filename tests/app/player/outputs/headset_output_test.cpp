@@ -362,7 +362,7 @@ TEST_F(HeadsetOutput, TurningTheHeadNeedsNoNewLensAndNoNewStars) {
   EXPECT_TRUE(work_between(before, work_done()).contains("trace_nodes"));
 }
 
-//! A way in which a runtime misbehaves, and what is left of a run of 90 frames.
+//! A way in which a runtime misbehaves, and the number of frames that show pictures in a run of 90.
 struct HostileRun {
   const char* mode;
   int least_with_layers;  //!< minimum number of frames that show pictures
