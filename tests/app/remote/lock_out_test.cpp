@@ -120,10 +120,10 @@ TEST(LockOut, OperatorsAreServedAtOnceWhateverTwoHundredStrangersDo) {
   for (const auto& times : {on_loopback, with_token}) {
     ASSERT_EQ(times.size(), requests);
     std::printf("%d requests: median %.1f ms, longest %.1f ms\n", requests, times[requests / 2], times.back());
-    // On a busy test machine a few answers may be late. An operator who is locked out would wait
-    // for seconds.
+    // On a busy test machine a few answers may be late; a packet that the virtual network lost is
+    // sent again after one second. An operator who is locked out would wait for longer.
     EXPECT_LT(times[requests * 95 / 100], 50.0);
-    EXPECT_LT(times.back(), 1000.0);
+    EXPECT_LT(times.back(), 2000.0);
   }
 }
 
