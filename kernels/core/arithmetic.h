@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -59,6 +60,16 @@ ERGO_HD bool mask_lane(bool mask, int) { return mask; }
 ERGO_HD unsigned mask_bits(bool mask) { return mask ? 1U : 0U; }
 ERGO_HD std::int32_t truncated(float a) { return static_cast<std::int32_t>(a); }
 // clang-format on
+
+//! Returns the position of the lowest bit that is set; `bits` must not be 0. nvcc 13 compiles
+//! std::countr_zero to the constant 32.
+ERGO_HD int lowest_bit(unsigned bits) {
+#if defined(__CUDA_ARCH__)
+  return __ffs(static_cast<int>(bits)) - 1;
+#else
+  return std::countr_zero(bits);
+#endif
+}
 
 #if !defined(__CUDACC__)
 template <class T, int N>

@@ -85,7 +85,7 @@ class ChosenLanes {
   ERGO_HD explicit ChosenLanes(unsigned bits) : bits_(bits) {
 #if !defined(__AVX512F__)
     for (unsigned left = bits; left != 0; left &= left - 1) {
-      from_[count_] = std::countr_zero(left);
+      from_[count_] = lowest_bit(left);
       ++count_;
     }
 #else

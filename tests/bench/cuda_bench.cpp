@@ -127,9 +127,9 @@ void ergodome::add_cuda_benchmarks() {
   const FrameWay direct = {LensChoice::direct, CameraWay::goes_round};
   const FrameWay kept = {LensChoice::live, CameraWay::goes_round};
   const FrameWay live = {LensChoice::live, CameraWay::moves};
-  add("sky/direct", dome(""), direct, {1024, 4096});
-  add("sky/kept_grid", dome(""), kept, {1024, 4096});
-  add("sky/live_grid", dome(""), live, {1024, 4096});
+  add("sky/direct", dome(""), direct, {1024, 4096, 8192});
+  add("sky/kept_grid", dome(""), kept, {1024, 4096, 8192});
+  add("sky/live_grid", dome(""), live, {1024, 4096, 8192});
   add("bright_stars", dome("stars = \"bright_stars\"\nfaintest_mag = 10\n", every_effect), direct, {1024, 4096});
   const Show all_stars = dome("stars = \"all_stars\"\nfaintest_mag = 10\n", every_effect);
   add("all_stars", all_stars, direct, {4096});
@@ -153,4 +153,5 @@ void ergodome::add_cuda_benchmarks() {
   add_picture("bright_stars", dome("stars = \"bright_stars\"\nfaintest_mag = 10\n", every_effect), 4096);
   add_cuda_object_benchmarks();
   add_cuda_projector_benchmarks();
+  add_cuda_headset_benchmarks();
 }

@@ -12,4 +12,8 @@ void add_cuda_object_benchmarks();
 //! Registers the benchmarks of projectors that show frames rendered by the GPU, if there is a GPU.
 void add_cuda_projector_benchmarks();
 
+//! Registers the benchmarks of a headset whose panoramas are rendered by the GPU. Call it only if
+//! there is a GPU.
+void add_cuda_headset_benchmarks();
+
 }  // namespace ergodome

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <bit>
-
 #include "kernels/core/lanes.h"
 #include "kernels/core/vector3.h"
 #include "kernels/stars/search/star_bands.h"
@@ -72,7 +70,7 @@ ERGO_HD void search_field(const SearchedField& field, const SkyPart& part, const
     for (int pack = first + lanes * thread; pack < last; pack += lanes * threads) {
       const MaskOf<T> held = detail::is_within<T>(part, level.stars, pack, faintest);
       for (unsigned bits = mask_bits(held) & bits_within<T>(pack, last); bits != 0; bits &= bits - 1) {
-        const int at = pack + std::countr_zero(bits);
+        const int at = pack + lowest_bit(bits);
         if (level.stars.illuminance[at] * gain.gain[level.colour[at]] >= floor.illuminance) {
           found(level.number[at]);
         }
