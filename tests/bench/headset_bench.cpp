@@ -142,20 +142,24 @@ void cuda_headset(benchmark::State& state, const Show& show, bool flies) {
   const Projection projection = make_projection(show.view, cube_faces * static_cast<int>(state.range(0)), 0.0);
   CameraPose pose = camera_pose(show, 0.0);
   Panorama panorama;
-  render_on_gpu(renderer, pose, projection, panorama);
   EyePainter painter;
   HeadsetEye view;
   view.sides = {-1.2, 1.0, 1.1, -1.1};
   double angle = 0.0;
+  const auto draw = [&] {
+    view.turn = glm::angleAxis(angle += 0.01, glm::dvec3(0.0, 1.0, 0.0));
+    painter.draw(panorama, 0, view, {}, eye_size, true);
+    painter.draw(panorama, 1, view, {}, eye_size, true);
+    glFinish();
+  };
+  render_on_gpu(renderer, pose, projection, panorama);
+  draw();
   for (auto _ : state) {
     if (flies) {
       pose.r -= 1e-6;
       render_on_gpu(renderer, pose, projection, panorama);
     }
-    view.turn = glm::angleAxis(angle += 0.01, glm::dvec3(0.0, 1.0, 0.0));
-    painter.draw(panorama, 0, view, {}, eye_size, true);
-    painter.draw(panorama, 1, view, {}, eye_size, true);
-    glFinish();
+    draw();
   }
   state.SetLabel(opengl_name());
 }
