@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -49,6 +50,9 @@ void read_viewer(TomlTable& root, const std::string& file, DomeSetup& setup) {
 }
 
 bool share_output(const ProjectorSetup& a, const ProjectorSetup& b) {
+  if (a.node != b.node) {
+    return false;
+  }
   if (a.output.monitor || b.output.monitor) {
     return a.output.monitor == b.output.monitor;
   }
@@ -82,6 +86,33 @@ void check_positions(const TomlTable& table, const ProjectorSetup& projector, do
   if (projector.mirror && !(std::sqrt(dot(projector.mirror->position_m, projector.mirror->position_m)) < radius_m)) {
     throw table.error_at("mirror", "lies outside the dome", "correct its position_m, in meters from the dome's center");
   }
+}
+
+void read_cluster(TomlTable& root, const std::string& file, DomeSetup& setup) {
+  const toml::table* const node = root.table("cluster");
+  if (node == nullptr) {
+    const auto elsewhere = std::ranges::find_if(setup.projectors, [](const auto& each) { return !each.node.empty(); });
+    if (elsewhere != setup.projectors.end()) {
+      throw root.error_at("cluster", fmt::format("is missing, but projector {} is at a node", elsewhere->name),
+                          "write [cluster] with address and key, or remove node");
+    }
+    return;
+  }
+  TomlTable table(*node, file, "cluster");
+  ClusterSetup& cluster = setup.cluster.emplace();
+  cluster.sync = static_cast<SwapSync>(table.choice("sync", static_cast<int>(cluster.sync), swap_sync_names));
+  cluster.address = table.text("address", cluster.address);
+  if (cluster.address.empty() || cluster.address.find_first_of("*/: ") != std::string::npos) {
+    throw table.error_at("address", "is neither an IPv4 address nor a network interface",
+                         "write the master's address or interface, as in address = \"10.0.0.1\" or \"eth1\"");
+  }
+  constexpr int last_port = 65535;
+  cluster.port = table.integer("port", cluster.port, 1, last_port);
+  cluster.key = table.text("key", "");
+  if (cluster.key.empty()) {
+    throw table.error_at("key", "is missing", "make one with ergodome node --make-key dome.key, and name the file");
+  }
+  table.refuse_unknown_keys();
 }
 
 toml::array list_of(const Vector3<double>& v) { return toml::array{v.x, v.y, v.z}; }
@@ -137,6 +168,9 @@ toml::table projector_of(const ProjectorSetup& projector) {
                     {"gamma", projector.gamma},
                     {"gain", list_of(projector.gain)},
                     {"black_level_lift", list_of(projector.black_level_lift)}};
+  if (!projector.node.empty()) {
+    table.insert("node", projector.node);
+  }
   insert_lens(table, projector.lens);
   if (projector.mirror) {
     table.insert("mirror", toml::table{{"position_m", list_of(projector.mirror->position_m)},
@@ -187,6 +221,7 @@ DomeSetup parse_dome_setup(std::string_view text, const std::string& file, Named
     }
     setup.projectors.push_back(std::move(projector));
   }
+  read_cluster(root, file, setup);
   root.refuse_unknown_keys();
   return setup;
 }
@@ -213,12 +248,34 @@ std::string to_toml(const DomeSetup& setup) {
   if (setup.tilt_known || setup.tilt_deg != 0.0) {
     dome.insert("tilt_deg", setup.tilt_deg);
   }
-  const toml::table root{{"dome", std::move(dome)},
-                         {"viewer", toml::table{{"position_m", list_of(setup.viewer_m)}}},
-                         {"projector", std::move(projectors)}};
+  toml::table root{{"dome", std::move(dome)},
+                   {"viewer", toml::table{{"position_m", list_of(setup.viewer_m)}}},
+                   {"projector", std::move(projectors)}};
+  if (setup.cluster) {
+    root.insert("cluster", toml::table{{"sync", swap_sync_names[static_cast<std::size_t>(setup.cluster->sync)]},
+                                       {"address", setup.cluster->address},
+                                       {"port", setup.cluster->port},
+                                       {"key", setup.cluster->key}});
+  }
   std::ostringstream text;
   text << root << '\n';
   return text.str();
+}
+
+std::vector<std::string> node_names(const DomeSetup& setup) {
+  std::vector<std::string> names;
+  for (const ProjectorSetup& projector : setup.projectors) {
+    if (!projector.node.empty() && std::ranges::find(names, projector.node) == names.end()) {
+      names.push_back(projector.node);
+    }
+  }
+  return names;
+}
+
+DomeSetup part_of_setup(const DomeSetup& setup, const std::string& node) {
+  DomeSetup part = setup;
+  std::erase_if(part.projectors, [&](const ProjectorSetup& projector) { return projector.node != node; });
+  return part;
 }
 
 void write_dome_setup(const std::filesystem::path& path, const DomeSetup& setup) {

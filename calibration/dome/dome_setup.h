@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -49,8 +50,22 @@ struct WarpFile {
   WarpSource source = WarpSource::dome_picture;
 };
 
+//! How the computers of a dome show a frame at the same time: not at all; all wait until the last
+//! one is ready; or their graphics cards also swap together (GLX_NV_swap_group).
+enum class SwapSync { none, barrier, nv_swap_group };
+inline constexpr std::array swap_sync_names = {"none", "barrier", "nv_swap_group"};
+
+//! The computers that show a dome together.
+struct ClusterSetup {
+  SwapSync sync = SwapSync::barrier;
+  std::string address = "127.0.0.1";  //!< address or network interface on which the master listens
+  int port = 7653;
+  std::string key;  //!< file with the keys of the cluster, relative to the setup
+};
+
 struct ProjectorSetup {
   std::string name;
+  std::string node;       //!< computer that the projector is connected to; empty: the master
   std::string read_from;  //!< file and line, for messages ("dome.toml:12"); empty if not read from a file
   Vector3<double> position_m{};
   Orientation orientation;
@@ -80,7 +95,8 @@ struct DomeSetup {
   double rotation_deg = 0.0;  //!< rotation of the image to the right around the dome's own axis
   Vector3<double> viewer_m{0.0, 0.0, 0.0};
   std::vector<ProjectorSetup> projectors;
-  std::filesystem::path folder;  //!< folder of the setup file; base of the files that it names
+  std::optional<ClusterSetup> cluster;  //!< present if several computers show the dome
+  std::filesystem::path folder;         //!< folder of the setup file; base of the files that it names
 };
 
 //! Whether reading a setup checks that the files it names exist, so that a missing one is reported
@@ -88,8 +104,8 @@ struct DomeSetup {
 enum class NamedFiles { must_exist, unchecked };
 
 //! Reads a setup (TOML). Throws Error with file, line, key and remedy for any mistake: unknown
-//! keys, values out of range, impossible lenses, projectors that share a name or an output, warps
-//! of unknown format, missing files.
+//! keys, values out of range, impossible lenses, projectors that share a name or an output of a
+//! computer, warps of unknown format, missing files.
 DomeSetup read_dome_setup(const std::filesystem::path& path);
 
 //! Reads a setup from text; `file` is its name in messages, and its folder is the base of named
@@ -98,6 +114,13 @@ DomeSetup parse_dome_setup(std::string_view text, const std::string& file, Named
 
 //! Returns a setup as TOML text from which parse_dome_setup() reads the same setup.
 std::string to_toml(const DomeSetup& setup);
+
+//! Returns the names of the nodes that projectors are connected to, each once, in the order of the
+//! setup. The master is not among them.
+std::vector<std::string> node_names(const DomeSetup& setup);
+
+//! Returns a setup with only the projectors that are connected to a node; empty: to the master.
+DomeSetup part_of_setup(const DomeSetup& setup, const std::string& node);
 
 //! Writes a setup atomically; keeps an older file of that name as NAME.bak.
 void write_dome_setup(const std::filesystem::path& path, const DomeSetup& setup);

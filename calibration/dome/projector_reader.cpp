@@ -14,6 +14,13 @@ namespace {
 
 constexpr double farthest_m = 10'000.0;
 
+bool is_node_name(const std::string& name) {
+  constexpr std::size_t longest = 64;
+  return !name.empty() && name.size() <= longest && std::ranges::all_of(name, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '.';
+  });
+}
+
 class ProjectorReader {
  public:
   ProjectorReader(TomlTable& table, const std::string& file, const std::filesystem::path& folder,
@@ -24,6 +31,11 @@ class ProjectorReader {
     projector_.name = table_.text("name", "");
     if (projector_.name.empty()) {
       throw table_.error_at("name", "is missing", "name the projector; messages use this name");
+    }
+    projector_.node = table_.text("node", "");
+    if (table_.has("node") && !is_node_name(projector_.node)) {
+      throw table_.error_at("node", "is not the name of a computer",
+                            "use 1 to 64 letters, digits, points and hyphens, as in host names");
     }
     projector_.position_m = read_position(table_, "position_m");
     projector_.orientation = {table_.number("yaw_deg", 0.0, -360.0, 360.0),

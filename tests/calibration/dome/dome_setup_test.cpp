@@ -251,5 +251,38 @@ TEST_F(DomeSetupFile, WithoutAnOlderFileNothingIsKept) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "dome.toml.bak"));
 }
 
+const std::string cluster_setup =
+    minimum + "node = \"north\"\nmonitor = 0\n[[projector]]\nname = \"b\"\nmonitor = 0\nresolution_px = [640, 480]\n" +
+    "fisheye = { fov_deg = 180 }\n[cluster]\naddress = \"eth1\"\nport = 9000\nsync = \"nv_swap_group\"\nkey = "
+    "\"dome.key\"\n";
+
+TEST(DomeSetupOfAClusterTest, IsReadAndWritten) {
+  for (const DomeSetup& setup : {parsed_setup(cluster_setup), parsed_setup(to_toml(parsed_setup(cluster_setup)))}) {
+    ASSERT_TRUE(setup.cluster);
+    EXPECT_EQ(setup.cluster->address, "eth1");
+    EXPECT_EQ(setup.cluster->port, 9000);
+    EXPECT_EQ(setup.cluster->sync, SwapSync::nv_swap_group);
+    EXPECT_EQ(setup.cluster->key, "dome.key");
+    EXPECT_EQ(node_names(setup), std::vector<std::string>{"north"});
+    ASSERT_EQ(part_of_setup(setup, "north").projectors.size(), 1U);
+    EXPECT_EQ(part_of_setup(setup, "north").projectors[0].name, "a");
+    EXPECT_EQ(part_of_setup(setup, "").projectors[0].name, "b");
+  }
+}
+
+TEST(DomeSetupOfAClusterTest, NamesItsMistakes) {
+  const auto problem = [](const std::string& from, const std::string& to) {
+    std::string text = cluster_setup;
+    text.replace(text.find(from), from.size(), to);
+    return setup_problem(text);
+  };
+  EXPECT_THAT(problem("key = \"dome.key\"", ""), HasSubstr("--make-key"));
+  EXPECT_THAT(problem("\"eth1\"", "\"*\""), HasSubstr("network interface"));
+  EXPECT_THAT(problem("node = \"north\"", "node = \"north pole\""), HasSubstr("name of a computer"));
+  EXPECT_THAT(problem("node = \"north\"", ""), HasSubstr("overlaps the output"));
+  EXPECT_THAT(setup_problem(cluster_setup.substr(0, cluster_setup.find("[cluster]"))),
+              HasSubstr("is missing, but projector a is at a node"));
+}
+
 }  // namespace
 }  // namespace ergodome

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cluster/cluster_channel.h"
+#include "app/cluster/cluster_messages.h"
+
+namespace ergodome {
+
+//! State of a node, for operators.
+enum class NodeState {
+  absent,   //!< was never heard
+  refused,  //!< has another version, show, content or setup
+  joining,  //!< has not yet rendered its first frame
+  joined,   //!< is waited for
+  behind,   //!< was late, shows frames when it has them, and is not waited for
+  lost      //!< is silent, or has rendered nothing for two seconds
+};
+
+struct NodeReport {
+  std::string name;
+  NodeState state = NodeState::absent;
+  double frame_ms = 0.0;  //!< usual time in which the node renders a frame
+  long late_frames = 0;
+  long lost = 0;        //!< how often it was lost
+  long rejoined = 0;    //!< how often it came back
+  std::string problem;  //!< why it is refused; otherwise empty
+};
+
+//! The master of a dome of several computers: sends frames to the nodes and releases each frame
+//! when all nodes are ready. Without sockets and threads.
+//!
+//! A node that takes much longer than usual is no longer waited for until it is ready in time again.
+//! After two seconds without an answer it is lost. It rejoins by itself with the last frame.
+class ClusterMaster {
+ public:
+  struct Settings {
+    ClusterIdentity identity;
+    SwapSync sync = SwapSync::barrier;
+    std::vector<std::string> nodes;  //!< names of the nodes in the setup; others are refused
+    std::uint64_t session = 0;       //!< number of this run; different in each run, not 0
+  };
+
+  //! The channel must outlive this.
+  ClusterMaster(MasterChannel& channel, Settings settings, ClusterClock clock);
+
+  //! Handles messages, sends heartbeats and notices lost nodes. Call it often.
+  void poll();
+
+  //! Numbers a frame and sends it to all nodes that have joined. Returns the number.
+  std::uint64_t publish(ClusterFrame frame);
+
+  //! Returns whether the last frame may be shown, and tells the nodes to show it.
+  [[nodiscard]] bool release();
+
+  //! Returns the time of the slowest node that was waited for in the last released frame [ms]; 0
+  //! without nodes.
+  [[nodiscard]] double slowest_ms() const { return slowest_ms_; }
+
+  //! Sets the factor on the light of all displays.
+  void set_light(double light);
+
+  //! Continues with another version of the show. Nodes must prove that they have it too.
+  void set_show(const std::string& show, const std::string& content);
+
+  [[nodiscard]] std::vector<NodeReport> nodes() const;
+  //! Returns whether every node of the setup has rendered at least `frames` frames and all are still
+  //! there.
+  [[nodiscard]] bool all_have_drawn(long frames) const;
+  //! Returns whether all nodes have joined the swap group.
+  [[nodiscard]] bool all_grouped() const;
+  //! Lets the nodes join a swap group.
+  void group() { group_ = true; }
+
+  //! Returns the number of messages that were dropped because they were malformed.
+  [[nodiscard]] long malformed() const { return malformed_; }
+  //! Returns the lines for the log since the last call.
+  [[nodiscard]] std::vector<ClusterNews> take_news();
+
+ private:
+  struct Node {
+    NodeReport report;
+    std::string peer;
+    double heard_s = 0.0;
+    double asked_s = 0.0;     //!< when the first frame that it has not answered was sent
+    bool awaited = false;     //!< the last frame waits for it
+    bool owes = false;        //!< it has not answered the last frame that it got
+    bool silent = false;      //!< is lost because nothing was heard
+    bool grouped = false;     //!< has joined the swap group
+    long frames = 0;          //!< frames rendered since it joined
+    std::uint64_t ready = 0;  //!< last frame that it was ready for
+  };
+
+  void take(const MasterChannel::Received& received);
+  void greet(const ClusterHello& hello, const std::string& peer);
+  void note_ready(Node& node, const ClusterReady& ready);
+  void welcome(Node& node);
+  void lose(Node& node, bool silent, const std::string& why);
+  void rejoin(Node& node);
+  void send(const std::string& peer, const ClusterMessage& message);
+  void beat();
+  [[nodiscard]] double patience_s(const Node& node) const;
+  [[nodiscard]] Node* node_of(const std::string& peer);
+  //! Returns whether frames are sent to a node.
+  [[nodiscard]] static bool takes_part(const Node& node);
+
+  MasterChannel& channel_;
+  Settings settings_;
+  ClusterClock clock_;
+  std::map<std::string, Node> nodes_;  //!< by name
+  std::optional<ClusterFrame> frame_;  //!< last frame
+  std::uint64_t number_ = 0;
+  std::uint32_t epoch_ = 1;
+  double published_s_ = 0.0;
+  double beat_s_ = -1e9;
+  bool released_ = true;
+  double slowest_ms_ = 0.0;
+  double light_ = 1.0;
+  bool group_ = false;
+  long malformed_ = 0;
+  std::vector<ClusterNews> news_;
+};
+
+//! Returns the difference between two computers for a message, such as "it has another show"; empty
+//! if there is none. `there`: of the node that is named in the message.
+std::string cluster_difference(const ClusterIdentity& here, const ClusterIdentity& there);
+
+//! Returns the name of a state, for operators: "joined".
+const char* node_state_name(NodeState state);
+
+}  // namespace ergodome

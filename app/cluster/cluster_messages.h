@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "calibration/dome/dome_setup.h"
+#include "content/camera/camera_path.h"
+#include "content/show/show.h"
+#include "kernels/image/shade_pixels.h"
+#include "kernels/sky/sky_sampling.h"
+#include "kernels/spacetime/kerr/observer.h"
+
+// The messages between the computers of a dome. The master renders the same pictures as the nodes
+// and releases them.
+
+namespace ergodome {
+
+//! Quality settings that replace the show's (FrameQuality).
+struct ClusterQuality {
+  double budget_px = 0.25;
+  std::int32_t lens = 0;  //!< LensChoice by its number
+  SkyFilter filter = SkyFilter::ewa;
+  std::int32_t whole_px = 0;  //!< width of the picture whose pixels the budget counts
+
+  bool operator==(const ClusterQuality&) const = default;
+};
+
+//! Everything that a node needs to render the master's picture. Star limits and all else that is
+//! not listed here are part of the show, whose fingerprint nodes prove when they join.
+struct ClusterFrame {
+  std::uint64_t number = 0;  //!< increases by 1 for each frame of a master
+  std::uint32_t epoch = 0;   //!< version of the show; increases when the master reads it again
+  std::int64_t time_ns = 0;  //!< show time
+  bool on_path = false;      //!< the pose is that of the show's path at this time
+  //! Change of show time per second, with which a node runs on if the master is silent.
+  double rate = 0.0;
+  CameraPose pose{};
+  ObserverMotion motion = ObserverMotion::zamo;
+  Vector3<double> velocity{};  //!< velocity of the observer, see ObserverView::velocity
+  ViewMode mode = ViewMode::sky;
+  double field_of_view_deg = 0.0;
+  StereoSettings stereo;
+  double exposure_stops = 0.0;
+  //! Stops of automatic exposure, which the master follows for all; absent without it.
+  std::optional<double> followed_stops;
+  std::string language;
+  bool captions = true;
+  std::int32_t size_px = 0;        //!< width of one eye's image
+  std::int32_t projectors_px = 0;  //!< OutputWish::projectors_px, of all projectors of the dome
+  std::optional<ClusterQuality> quality;
+};
+
+//! Fingerprints of what every computer of a cluster must have in common.
+struct ClusterIdentity {
+  std::string version;  //!< version of the program
+  std::string show;
+  std::string content;  //!< of the files that the show names
+  std::string setup;
+
+  bool operator==(const ClusterIdentity&) const = default;
+};
+
+//! A node asks to join.
+struct ClusterHello {
+  std::string node;
+  ClusterIdentity identity;
+};
+
+//! The master accepts a node.
+struct ClusterWelcome {
+  std::uint64_t session = 0;  //!< number of the master's run
+  SwapSync sync = SwapSync::barrier;
+};
+
+//! The master refuses a node.
+struct ClusterRefused {
+  std::string reason;
+};
+
+//! A node has rendered a frame.
+struct ClusterReady {
+  std::uint64_t number = 0;
+  double frame_ms = 0.0;  //!< time that the node's renderer took
+};
+
+//! The master releases a frame: every computer shows it now.
+struct ClusterSwap {
+  std::uint64_t number = 0;
+};
+
+//! Sent by both sides while they live.
+struct ClusterHeartbeat {
+  std::uint64_t session = 0;  //!< the master's run; 0 from a node that has not joined
+  double light = 1.0;         //!< factor on the displays' light, chosen by the master
+  bool grouped = false;       //!< master: join the swap group; node: has joined it
+};
+
+using ClusterMessage = std::variant<ClusterFrame, ClusterHello, ClusterWelcome, ClusterRefused, ClusterReady,
+                                    ClusterSwap, ClusterHeartbeat>;
+
+//! Maximum size of a message [bytes].
+inline constexpr std::size_t max_cluster_message = 1024;
+
+//! Maximum lengths of texts in messages [bytes]. Longer texts are cut when they are sent.
+inline constexpr std::size_t max_cluster_name = 64;
+inline constexpr std::size_t max_cluster_reason = 600;
+
+}  // namespace ergodome
