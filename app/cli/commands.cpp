@@ -53,6 +53,7 @@ int run_commands(int argc, char** argv) {
   app.formatter(std::make_shared<HelpFormat>());
   app.failure_message([](const CLI::App*, const CLI::Error& problem) { return parser_message(problem); });
   add_play_command(app);
+  add_node_command(app);
   add_render_command(app);
   add_farm_command(app);
   add_bake_command(app);

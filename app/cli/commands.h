@@ -11,6 +11,7 @@ namespace ergodome {
 void add_render_command(CLI::App& app);
 void add_play_command(CLI::App& app);
 void add_farm_command(CLI::App& app);
+void add_node_command(CLI::App& app);
 void add_trace_command(CLI::App& app);
 void add_edge_command(CLI::App& app);
 void add_connect_command(CLI::App& app);

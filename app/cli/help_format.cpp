@@ -118,7 +118,7 @@ std::string HelpFormat::make_option_desc(const CLI::Option* option) const {
 
 void group_commands(CLI::App& app) {
   const std::pair<const char*, std::vector<const char*>> groups[] = {
-      {"Show", {"play", "render", "farm"}},
+      {"Show", {"play", "node", "render", "farm"}},
       {"Prepare", {"bake", "calibrate", "convert", "pad", "catalogue"}},
       {"Examine", {"inspect", "plan", "diagram", "accuracy"}},
       {"Compute tables", {"trace", "edge", "connect"}}};

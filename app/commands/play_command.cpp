@@ -42,6 +42,8 @@ struct PlayArguments : ShowOverrides {
   std::string setup;
   std::optional<ProjectorOptions> projectors;  //!< projectors of the dome setup; empty without --setup
   bool hide_control = false;
+  bool cluster = false;   //!< nodes show the dome too
+  std::string frame_log;  //!< file for FrameLog; empty: none
   bool headset = false;
   std::optional<double> headset_scale;  //!< replaces HeadsetSettings::scale
   bool full_screen = false;
@@ -74,6 +76,18 @@ void use_setup(PlayArguments& arguments) {
   projectors.pictures = projector_pictures(projectors.setup);
   projectors.master_px = enough_master_px(projectors.pictures);
   projectors.hide_control = arguments.hide_control;
+  if (arguments.cluster) {
+    arguments.options.cluster =
+        std::make_shared<ClusterGate>(projectors.setup, projectors.master_px, arguments.frame_log);
+    if (projectors.setup.cluster->sync == SwapSync::nv_swap_group) {
+      print_note(
+          "sync = \"nv_swap_group\" needs GLX_NV_swap_group, which this version does not use; the barrier is used");
+    }
+    keep_projectors_of(projectors, "");
+  } else if (!node_names(projectors.setup).empty()) {
+    print_note("{} names projectors at nodes; their windows open here too, because --cluster is not given",
+               arguments.setup);
+  }
   if (!arguments.size_given) {
     arguments.options.size_px = projectors.master_px;
   }
@@ -102,7 +116,8 @@ std::unique_ptr<DisplayOutput> open_output(PlayArguments& arguments, const Show&
   window.size = window_picture_size(layout, {projection.width_px, projection.height_px});
   window.full_screen = arguments.full_screen || arguments.exhibit;
   window.eye_buffers = layout == StereoLayout::quad_buffer;
-  if (arguments.projectors) {
+  // A master need not have projectors of its own.
+  if (arguments.projectors && !arguments.projectors->pictures.empty()) {
     return std::make_unique<DomeOutput>(window, *arguments.projectors);
   }
   return std::make_unique<WindowOutput>(window);
@@ -272,6 +287,12 @@ void add_dome_options(CLI::App& command, PlayArguments& arguments, IgnoredOption
       .add_flag("--no-control", arguments.hide_control,
                 "with --setup: open only the projectors' windows; keys work in them")
       ->needs(setup);
+  CLI::Option* const cluster =
+      command.add_flag("--cluster", arguments.cluster, "with --setup: show the dome together with its nodes")
+          ->needs(setup);
+  command.add_option("--frame-log", arguments.frame_log, "with --cluster: list the shown frames in this CSV file")
+      ->type_name("FILE")
+      ->needs(cluster);
   ignored.add("with --setup, which fixes the projection",
               [&arguments] { return !arguments.setup.empty() && arguments.projection != "dome"; }, {"--projection"});
 }
@@ -352,6 +373,7 @@ void add_exhibit_options(CLI::App& command, PlayArguments& arguments, IgnoredOpt
       ->check(number_between(0.0, 86400.0))
       ->needs(locked)
       ->capture_default_str();
+  ignored.add("with --cluster, whose nodes show one show", [&arguments] { return arguments.cluster; }, {"--exhibit"});
   ignored.add("with --exhibit, which starts free flight for each visitor", [&arguments] { return arguments.exhibit; },
               {"--fly"});
 }

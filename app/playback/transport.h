@@ -104,6 +104,17 @@ struct ChapterStatus {
   std::vector<std::string> titles;  //!< in all languages of the show
 };
 
+//! State of a node of a dome of several computers.
+struct NodeStatus {
+  std::string name;
+  std::string state;      //!< "absent", "refused", "joining", "joined", "behind" or "lost"
+  double frame_ms = 0.0;  //!< usual time in which it renders a frame
+  long late_frames = 0;
+  long lost = 0;        //!< how often it was lost
+  long rejoined = 0;    //!< how often it came back
+  std::string problem;  //!< why it is refused; otherwise empty
+};
+
 //! State of the player, published once per frame.
 struct PlayerStatus {
   std::string title;
@@ -136,13 +147,14 @@ struct PlayerStatus {
   std::string observer;  //!< name of the observer, and its speed
   std::string lens;
   std::string backend;
-  std::string display;  //!< state of the headset, if there is to be one; otherwise empty
+  std::string display;  //!< state of the headset or of the nodes, if there are any; otherwise empty
   double frame_ms = 0.0;
   double worst_frame_ms = 0.0;  //!< longest frame time of the last ten seconds
   long frames = 0;
   long dropped_frames = 0;
   std::vector<PadStatus> pads;
-  std::string problem;  //!< the last problem; empty: none
+  std::vector<NodeStatus> nodes;  //!< nodes of a dome of several computers
+  std::string problem;            //!< the last problem; empty: none
 };
 
 //! Stores the latest status for other threads.

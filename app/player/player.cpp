@@ -74,6 +74,10 @@ Player::Player(const Show& show, const RendererLoader::Make& make, std::unique_p
       services_(options.services, show),
       recording_(options.record, options.exhibit ? RecordingFile::Names::numbered : RecordingFile::Names::one) {
   Show first = show;
+  if (options_.cluster) {
+    options_.cluster->set_show(show);
+    pictures_.set_gate(options_.cluster.get());
+  }
   if (options_.exhibit) {
     exhibit_.emplace(*options_.exhibit, show, options_.load(options_.exhibit->attract));
     first = exhibit_->show();
@@ -188,6 +192,7 @@ void Player::advance() {
   report_notes();
   update_picture();
   output_->set_light(session_->frame().light);
+  advance_cluster();
   services_.follow(session_->playback());
   update_texts();
   post_status();
@@ -338,6 +343,18 @@ void Player::keep_recording(RecordingMoment moment) {
   }
 }
 
+void Player::advance_cluster() {
+  if (!options_.cluster) {
+    return;
+  }
+  const ShowInstant& instant = session_->playback().instant();
+  const bool runs = instant.playing && !session_->flying();
+  options_.cluster->advance(runs ? instant.speed : 0.0, session_->frame().light);
+  for (const ClusterNews& news : options_.cluster->take_news()) {
+    services_.report(news.warning ? spdlog::level::warn : spdlog::level::info, news.text);
+  }
+}
+
 void Player::end_in_time() {
   if (options_.for_seconds && first_answer_ &&
       std::chrono::duration<double>(Clock::now() - *first_answer_).count() >= *options_.for_seconds) {
@@ -368,6 +385,9 @@ void Player::take_version(const Show& show) {
   session_->set_show(show);
   output_->set_headset(show.headset);
   services_.take_version(show);
+  if (options_.cluster) {
+    options_.cluster->set_show(show);
+  }
   if (exhibit_) {
     exhibit_->renew(show);
   }
@@ -477,6 +497,9 @@ void Player::post_status() {
     status.problem = recording_problem_;
   }
   services_.fill(status);
+  if (options_.cluster) {
+    options_.cluster->fill(status);
+  }
   if (exhibit_) {
     keep_settings(status);
     notify_supervisor(exhibit_->state_text(status));

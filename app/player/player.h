@@ -11,6 +11,7 @@
 #include "app/exhibit/operator_log.h"
 #include "app/navigation/controls/help_text.h"
 #include "app/pads/hid/hid_api.h"
+#include "app/player/cluster_gate.h"
 #include "app/player/eye_notice.h"
 #include "app/player/frame_times.h"
 #include "app/player/outputs/disparity_limit.h"
@@ -47,6 +48,7 @@ struct PlayOptions {
   ServiceOptions services;   //!< sound, clocks, remote control
   std::optional<ExhibitOptions> exhibit;
   std::optional<PlayPlan> budget;
+  std::shared_ptr<ClusterGate> cluster;  //!< nodes that show the dome together with this player; null: none
   //! Notes from loading shows, for the log.
   std::shared_ptr<NoteBoard> notes = std::make_shared<NoteBoard>();
   //! Reads a show file and applies the options of the command line.
@@ -112,6 +114,7 @@ class Player {
   //! Saves the recording: in each `frame` if it is due, at the `end` in any case. Logs a failure,
   //! and that saving works again.
   void keep_recording(RecordingMoment moment);
+  void advance_cluster();
   void end_in_time();
   //! Closes the output and stores the reason.
   void end(std::string why);

@@ -18,6 +18,9 @@ class SessionPictures {
   //! moves. The output must outlive this.
   SessionPictures(const RendererLoader::Make& make, Output& output, int size_px, const std::optional<PlayPlan>& plan);
 
+  //! Lets a gate decide when pictures are shown; see PictureFlow::set_gate().
+  void set_gate(PictureGate* gate) { flow_.set_gate(gate); }
+
   [[nodiscard]] SceneRenderers& renderers() { return renderers_; }
   [[nodiscard]] const SceneRenderers& renderers() const { return renderers_; }
   [[nodiscard]] const PictureReport& report() const { return flow_.report(); }

@@ -20,7 +20,7 @@ void set_socket_limits(zmq::socket_t& socket) {
   socket.set(zmq::sockopt::rcvhwm, queue);
   socket.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(max_cluster_message));
   socket.set(zmq::sockopt::handshake_ivl, 2000);
-  // A connection that transmits nothing is made anew.
+  // Replaces a connection that transmits nothing.
   socket.set(zmq::sockopt::heartbeat_ivl, 200);
   socket.set(zmq::sockopt::heartbeat_timeout, 1000);
 }

@@ -1,5 +1,7 @@
 #include "app/player/outputs/dome_output.h"
 
+#include <utility>
+
 #include "app/cli/setup_show.h"
 
 namespace ergodome {
@@ -14,6 +16,17 @@ WindowOptions beside_projectors(WindowOptions window) {
 }
 
 }  // namespace
+
+void keep_projectors_of(ProjectorOptions& projectors, const std::string& node) {
+  std::vector<ProjectorPicture> kept;
+  for (std::size_t i = 0; i < projectors.pictures.size(); ++i) {
+    if (projectors.setup.projectors[i].node == node) {
+      kept.push_back(std::move(projectors.pictures[i]));
+    }
+  }
+  projectors.pictures = std::move(kept);
+  projectors.setup = part_of_setup(projectors.setup, node);
+}
 
 DomeOutput::DomeOutput(const WindowOptions& window, const ProjectorOptions& projectors)
     : WindowOutput(beside_projectors(window)),

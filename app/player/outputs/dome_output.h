@@ -16,6 +16,10 @@ struct ProjectorOptions {
   bool hide_control = false;               //!< shows only the projectors' windows
 };
 
+//! Removes the projectors that are not connected to a node; empty: to the master. Their pictures
+//! must exist already, because masks depend on the projectors of all nodes.
+void keep_projectors_of(ProjectorOptions& projectors, const std::string& node);
+
 //! A window for each projector of a dome, and the player's window as a control window.
 class DomeOutput : public WindowOutput {
  public:

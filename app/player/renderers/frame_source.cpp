@@ -76,6 +76,11 @@ void set_up(ShowRenderer& renderer, const PictureRequest& request) {
     quality.budget_px *= static_cast<double>(request.size_px) / request.whole_px;
     renderer.set_quality(quality);
   }
+  if (request.followed_stops) {
+    // Exposure does not adapt before this time, which no clock reaches.
+    constexpr double never_s = 1e12;
+    renderer.follow_from(*request.followed_stops, never_s);
+  }
   OverlayPass& overlays = renderer.overlays();
   overlays.set_language(frame.language);
   overlays.set_captions(frame.captions);

@@ -38,6 +38,9 @@ struct PictureRequest {
   //! Requests the lit part of the view; the value is the time of the request, which the answer
   //! repeats. Absent: not requested.
   std::optional<double> light_asked_s;
+  //! Stops that automatic exposure keeps in this picture, because another computer follows the
+  //! light; absent: it follows the light of the pictures.
+  std::optional<double> followed_stops;
 };
 
 //! The part of a view's pixels that is brighter than black.

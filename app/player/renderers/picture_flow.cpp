@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ergodome {
 
@@ -30,7 +31,7 @@ PictureNews PictureFlow::advance(const PictureRequest& wish, bool changed, bool 
     return PictureNews::hang;
   }
   const PictureNews news = receive();
-  if (!source_.idle()) {
+  if (!source_.idle() || held_) {
     return news;
   }
   const bool on_gpu = wish.renderer && wish.renderer->backend() != Backend::cpu;
@@ -86,14 +87,20 @@ void PictureFlow::ask(PictureRequest wish, int size_px, bool moving) {
   smallest_px_ = wish.output.smallest_px;
   pending_ = false;
   refining_ = false;
+  if (gate_ != nullptr) {
+    gate_->publish(wish);
+  }
   source_.ask(wish);
 }
 
 PictureNews PictureFlow::receive() {
-  auto answer = source_.take();
-  if (!answer) {
+  if (!held_) {
+    held_ = source_.take();
+  }
+  if (!held_ || (gate_ != nullptr && held_->problem.empty() && !gate_->release(*held_))) {
     return PictureNews::none;
   }
+  std::optional<PictureAnswer> answer = std::exchange(held_, std::nullopt);
   report_.problem = answer->problem;
   if (!answer->problem.empty()) {
     return PictureNews::problem;

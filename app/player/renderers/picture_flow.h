@@ -7,6 +7,7 @@
 #include "app/budget/deadline.h"
 #include "app/budget/rate_keeper.h"
 #include "app/player/renderers/frame_source.h"
+#include "app/player/renderers/picture_gate.h"
 
 namespace ergodome {
 
@@ -56,6 +57,9 @@ class PictureFlow {
   //! Fixes the size and pace of moving pictures.
   void hold(const PictureHold& hold);
 
+  //! Lets a gate decide when pictures are shown. It must outlive this; nullptr: at once.
+  void set_gate(PictureGate* gate) { gate_ = gate; }
+
   //! Takes a finished picture and requests the next one; call it for every frame of the window. The
   //! size in `wish` is chosen here.
   //!
@@ -75,9 +79,11 @@ class PictureFlow {
   std::function<void(PictureAnswer&)> show_;
   int finest_px_;
   FrameSource source_;
-  bool pending_ = true;       //!< a change was not requested yet
-  bool refining_ = false;     //!< the last picture is current but may become finer
-  int moving_size_px_ = 256;  //!< width at which a picture takes about `budget_ms_`
+  PictureGate* gate_ = nullptr;
+  std::optional<PictureAnswer> held_;  //!< finished picture that the gate holds back
+  bool pending_ = true;                //!< a change was not requested yet
+  bool refining_ = false;              //!< the last picture is current but may become finer
+  int moving_size_px_ = 256;           //!< width at which a picture takes about `budget_ms_`
   int asked_size_px_ = 0;
   int smallest_px_ = 0;     //!< OutputWish::smallest_px of the current request
   double budget_ms_ = 0.0;  //!< time of a moving picture that determines the size of the next one

@@ -189,7 +189,7 @@ function showFrames() {
   put(find("dropped_frames"), String(status.dropped_frames));
   graph.add(status.frame_ms);
   graph.draw();
-  const facts = [["Observer", status.observer], ["Lens", status.lens], ["Backend", status.backend], ["Headset", status.display], ["Sound", status.sound]];
+  const facts = [["Observer", status.observer], ["Lens", status.lens], ["Backend", status.backend], [status.nodes && status.nodes.length > 0 ? "Nodes" : "Headset", status.display], ["Sound", status.sound]];
   rebuild(find("facts"), facts, () => facts.filter(([, fact]) => fact).flatMap(([name, fact]) => [make("dt", name), make("dd", fact)]));
 }
 

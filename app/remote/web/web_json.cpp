@@ -33,6 +33,20 @@ json pads_of(const PlayerStatus& status) {
   return pads;
 }
 
+json nodes_of(const PlayerStatus& status) {
+  json nodes = json::array();
+  for (const NodeStatus& node : status.nodes) {
+    nodes.push_back({{"name", node.name},
+                     {"state", node.state},
+                     {"frame_ms", node.frame_ms},
+                     {"late_frames", node.late_frames},
+                     {"lost", node.lost},
+                     {"rejoined", node.rejoined},
+                     {"problem", node.problem}});
+  }
+  return nodes;
+}
+
 //! Returns the commands that would be refused now, with the reason of each.
 json refused_of(const PlayerStatus& status) {
   json refused = json::object();
@@ -134,6 +148,7 @@ std::string status_json(const PlayerStatus& status) {
                        {"frames", status.frames},
                        {"dropped_frames", status.dropped_frames},
                        {"pads", pads_of(status)},
+                       {"nodes", nodes_of(status)},
                        {"problem", status.problem}};
   return text_of(object);
 }

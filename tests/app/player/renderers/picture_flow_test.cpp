@@ -137,5 +137,39 @@ TEST(PictureFlow, GivesUpAPictureThatHangsAndGoesOn) {
   }
 }
 
+//! A gate that opens when the test wants it to.
+class FakeGate : public PictureGate {
+ public:
+  bool open = false;
+  int published = 0;
+  void publish(PictureRequest& request) override {
+    ++published;
+    request.size_px = 100;
+  }
+  bool release(PictureAnswer& answer) override {
+    answer.time_ms = 500.0;
+    return open;
+  }
+};
+
+TEST(PictureFlow, ShowsAPictureWhenTheGateReleasesIt) {
+  FakeRenderer renderer;
+  std::vector<int> shown;
+  PictureFlow flow([&](const PictureAnswer& answer) { shown.push_back(answer.picture.width); }, 1000,
+                   std::ref(renderer));
+  FakeGate gate;
+  flow.set_gate(&gate);
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_EQ(flow.advance({}, true, true), PictureNews::none);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_EQ(gate.published, 1) << "the next picture waits for the release of this one";
+  gate.open = true;
+  EXPECT_EQ(wait_for_news(flow, true), PictureNews::picture);
+  EXPECT_EQ(shown, std::vector<int>{100}) << "the gate may change the request";
+  EXPECT_EQ(flow.report().frame_time_ms, 500.0);
+  EXPECT_EQ(gate.published, 2);
+}
+
 }  // namespace
 }  // namespace ergodome

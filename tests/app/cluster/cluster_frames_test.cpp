@@ -1,0 +1,101 @@
+#include "app/player/cluster_frames.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "app/cli/show_loading.h"
+#include "app/cluster/cluster_codec.h"
+#include "app/player/outputs/dome_output.h"
+#include "tests/app/cluster/cluster_frames.h"
+#include "tests/support/folder_test.h"
+
+namespace ergodome {
+namespace {
+
+PictureRequest some_request() {
+  PictureRequest request;
+  request.frame.time_s = 12.3456789012345;
+  request.frame.path_time_s = request.frame.time_s;
+  request.frame.pose = test::full_frame().pose;
+  request.frame.observer.motion = ObserverMotion::velocity;
+  request.frame.observer.velocity = {0.1, 0.2, 0.3};
+  request.frame.stereo.baseline = 0.5;
+  request.frame.exposure_stops = 1.5;
+  request.frame.language = "de";
+  request.frame.captions = false;
+  request.frame.field_of_view_deg = 180.0;
+  request.size_px = 512;
+  request.output.projectors_px = 2048;
+  request.quality = FrameQuality{0.5, LensChoice::live, SkyFilter::point};
+  request.whole_px = 1024;
+  return request;
+}
+
+TEST(ClusterFrames, LetTwoComputersRenderTheSameRequest) {
+  const PictureRequest sent = some_request();
+  const ClusterFrame frame = cluster_frame(sent, 1.0);
+  const auto received = decode_cluster(encode_cluster(frame));
+  ASSERT_TRUE(received);
+  PictureRequest there;
+  apply(std::get<ClusterFrame>(*received), there);
+  PictureRequest here = sent;
+  apply(frame, here);
+  EXPECT_EQ(there.frame.time_s, here.frame.time_s);
+  EXPECT_NEAR(here.frame.time_s, sent.frame.time_s, 1e-9);
+  EXPECT_EQ(there.frame.path_time_s, here.frame.time_s);
+  EXPECT_EQ(there.frame.pose.r, sent.frame.pose.r);
+  EXPECT_EQ(there.frame.pose.orientation, sent.frame.pose.orientation);
+  EXPECT_EQ(there.frame.observer.motion, sent.frame.observer.motion);
+  EXPECT_EQ(there.frame.observer.velocity.z, 0.3);
+  EXPECT_EQ(there.frame.stereo, sent.frame.stereo);
+  EXPECT_EQ(there.frame.exposure_stops, 1.5);
+  EXPECT_EQ(there.frame.language, "de");
+  EXPECT_FALSE(there.frame.captions);
+  EXPECT_EQ(there.frame.field_of_view_deg, 180.0);
+  EXPECT_EQ(there.size_px, 512);
+  EXPECT_EQ(there.output.projectors_px, 2048);
+  EXPECT_EQ(there.quality, sent.quality);
+  EXPECT_EQ(there.whole_px, 1024);
+  EXPECT_EQ(there.patience_s, here.patience_s);
+}
+
+class ClusterFingerprints : public test::FolderTest {
+ protected:
+  [[nodiscard]] Show show_with(const std::string& sky, const ShowSettings& settings = {}) const {
+    std::ofstream(folder_ / "sky.ppm", std::ios::binary) << sky;
+    std::ofstream(folder_ / "show.toml") << "title = \"T\"\n[camera]\nr = 20\n[sky]\nmap = \"sky.ppm\"\n";
+    return load_show((folder_ / "show.toml").string(), settings);
+  }
+};
+
+TEST_F(ClusterFingerprints, DifferIfTheShowOrItsFilesDo) {
+  const std::string one = "P6 2 1 255\nabcdef";
+  const std::string other = "P6 2 1 255\nabcdeg";
+  const Show show = show_with(one);
+  EXPECT_EQ(show_fingerprint(show), show_fingerprint(show_with(one)));
+  EXPECT_NE(show_fingerprint(show), show_fingerprint(show_with(one, {"hole.spin=0.5"})));
+  const std::string content = content_fingerprint(show);
+  EXPECT_EQ(content, content_fingerprint(show_with(one)));
+  EXPECT_NE(content, content_fingerprint(show_with(other)));
+  EXPECT_EQ(show_fingerprint(show), show_fingerprint(show_with(other)));
+}
+
+TEST(ClusterProjectors, AreThoseOfTheNode) {
+  ProjectorOptions projectors;
+  for (const char* const node : {"", "left", "right", "left"}) {
+    ProjectorSetup& projector = projectors.setup.projectors.emplace_back();
+    projector.name = "p" + std::to_string(projectors.setup.projectors.size());
+    projector.node = node;
+    projectors.pictures.emplace_back().name = projector.name;
+  }
+  keep_projectors_of(projectors, "left");
+  ASSERT_EQ(projectors.pictures.size(), 2U);
+  EXPECT_EQ(projectors.pictures[0].name, "p2");
+  EXPECT_EQ(projectors.pictures[1].name, "p4");
+  EXPECT_EQ(projectors.setup.projectors[1].name, "p4");
+}
+
+}  // namespace
+}  // namespace ergodome
