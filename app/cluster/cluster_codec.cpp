@@ -30,6 +30,8 @@ class ClusterWriter {
   void choice(Choice& value, int /*count*/) {
     whole(static_cast<std::uint8_t>(value));
   }
+  //! A text that may have several lines.
+  void lines(const std::string& value, std::size_t longest) { text(value, longest); }
   void text(const std::string& value, std::size_t longest) {
     const std::size_t size = std::min(value.size(), longest);
     whole(static_cast<std::uint16_t>(size));
@@ -43,6 +45,12 @@ class ClusterWriter {
     bool given = value.has_value();
     flag(given);
     return given;
+  }
+  //! The number of elements of a list, of which only `most` are sent.
+  template <class Element>
+  void size(std::vector<Element>& list, std::size_t most) {
+    list.resize(std::min(list.size(), most));
+    whole(static_cast<std::uint16_t>(list.size()));
   }
   void check(bool /*valid*/) {}
 
@@ -86,14 +94,18 @@ class ClusterReader {
     value = static_cast<Choice>(valid_ ? byte : 0);
   }
   void text(std::string& value, std::size_t longest) {
+    bytes(value, longest);
+    check(std::ranges::none_of(value, is_control));
+  }
+  void lines(std::string& value, std::size_t longest) {
+    bytes(value, longest);
+    check(std::ranges::none_of(value, [](char c) { return is_control(c) && c != '\n' && c != '\t'; }));
+  }
+  template <class Element>
+  void size(std::vector<Element>& list, std::size_t most) {
     const std::size_t size = whole<std::uint16_t>();
-    check(size <= longest && size <= rest_.size());
-    if (!valid_) {
-      return;
-    }
-    value.assign(reinterpret_cast<const char*>(rest_.data()), size);
-    rest_ = rest_.subspan(size);
-    check(std::ranges::none_of(value, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }));
+    check(size <= most);
+    list.resize(valid_ ? size : 0);
   }
   template <class Value>
   bool present(std::optional<Value>& value) {
@@ -110,6 +122,17 @@ class ClusterReader {
   [[nodiscard]] bool complete() const { return valid_ && rest_.empty(); }
 
  private:
+  static bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+  void bytes(std::string& value, std::size_t longest) {
+    const std::size_t size = whole<std::uint16_t>();
+    check(size <= longest && size <= rest_.size());
+    if (valid_) {
+      value.assign(reinterpret_cast<const char*>(rest_.data()), size);
+      rest_ = rest_.subspan(size);
+    }
+  }
+
   template <class Unsigned>
   Unsigned whole() {
     if (rest_.size() < sizeof(Unsigned)) {
@@ -181,6 +204,7 @@ void pass_cluster(Coder& coder, ClusterFrame& frame) {
   coder.integer(frame.time_ns, -longest_ns, longest_ns);
   coder.flag(frame.on_path);
   coder.range(frame.rate, -1000.0, 1000.0);
+  coder.flag(frame.attract);
   pass_cluster(coder, frame.pose);
   coder.choice(frame.motion, motions);
   pass_cluster_velocity(coder, frame.velocity);
@@ -202,6 +226,11 @@ void pass_cluster(Coder& coder, ClusterFrame& frame) {
     coder.choice(quality.filter, static_cast<int>(SkyFilter::polygon) + 1);
     coder.integer(quality.whole_px, 1, 65536);
   }
+  coder.range(frame.texts_opacity, 0.0, 1.0);
+  coder.integer(frame.texts, 0, 0xffffffffLL);
+  coder.choice(frame.pattern, static_cast<int>(ClusterPattern::projector_numbers) + 1);
+  coder.integer(frame.pattern_kind, 0, 255);
+  coder.integer(frame.calibration, 0, 0xffffffffLL);
 }
 
 template <class Coder>
@@ -241,6 +270,56 @@ void pass_cluster(Coder& coder, ClusterHeartbeat& heartbeat) {
   coder.count(heartbeat.session);
   coder.range(heartbeat.light, 0.0, 1.0);
   coder.flag(heartbeat.grouped);
+}
+
+template <class Coder>
+void pass_cluster(Coder& coder, Caption& caption) {
+  coder.range(caption.position.azimuth_deg, -1e6, 1e6);
+  coder.range(caption.position.elevation_deg, -90.0, 90.0);
+  coder.range(caption.position.roll_deg, -1e6, 1e6);
+  coder.range(caption.letter_deg, 1e-3, 90.0);
+  coder.range(caption.width_deg, 1e-3, 360.0);
+  for (double& part : caption.color) {
+    coder.range(part, 0.0, 1e6);
+  }
+  coder.lines(caption.text[""], max_cluster_caption);
+}
+
+template <class Coder>
+void pass_cluster(Coder& coder, ClusterTexts& texts) {
+  coder.integer(texts.version, 0, 0xffffffffLL);
+  coder.size(texts.captions, max_cluster_captions);
+  for (Caption& caption : texts.captions) {
+    pass_cluster(coder, caption);
+  }
+}
+
+template <class Coder>
+void pass_cluster(Coder& coder, GridOffsets& offsets) {
+  coder.integer(offsets.points, 2, GridOffsets::sizes.back());
+  coder.check(std::ranges::find(GridOffsets::sizes, offsets.points) != GridOffsets::sizes.end());
+  const auto count = static_cast<std::size_t>(offsets.points) * static_cast<std::size_t>(offsets.points);
+  for (std::vector<double>* const numbers : {&offsets.right, &offsets.down}) {
+    coder.size(*numbers, count);
+    coder.check(numbers->size() == count);
+    for (double& number : *numbers) {
+      coder.range(number, -GridOffsets::farthest, GridOffsets::farthest);
+    }
+  }
+}
+
+template <class Coder>
+void pass_cluster(Coder& coder, ClusterCalibration& calibration) {
+  coder.integer(calibration.version, 0, 0xffffffffLL);
+  coder.lines(calibration.setup, max_cluster_setup);
+  coder.size(calibration.offsets, max_cluster_projectors);
+  for (GridOffsets& offsets : calibration.offsets) {
+    pass_cluster(coder, offsets);
+  }
+  coder.size(calibration.texts, max_cluster_projectors);
+  for (std::string& text : calibration.texts) {
+    coder.lines(text, max_cluster_reason);
+  }
 }
 
 template <std::size_t kind = 0>

@@ -34,6 +34,9 @@ std::string cluster_difference(const ClusterIdentity& here, const ClusterIdentit
   if (here.setup != there.setup) {
     return "another dome setup; copy the setup file of the master";
   }
+  if (here.show.empty()) {
+    return {};
+  }
   if (here.show != there.show) {
     return "another show; copy the show file of the master, and use the same --set options";
   }
@@ -74,6 +77,7 @@ void ClusterMaster::poll() {
       lose(node, false, "has rendered nothing for two seconds");
     }
   }
+  form_group();
   if (now_s - beat_s_ >= cluster_heartbeat_s) {
     beat();
   }
@@ -157,6 +161,12 @@ void ClusterMaster::welcome(Node& node) {
   node.owes = false;
   node.grouped = false;
   send(node.peer, ClusterWelcome{settings_.session, settings_.sync});
+  if (texts_) {
+    send(node.peer, *texts_);
+  }
+  if (calibration_) {
+    send(node.peer, *calibration_);
+  }
   if (frame_) {
     // The snapshot: the node shows the frame that the others already show.
     node.owes = true;
@@ -208,6 +218,8 @@ void ClusterMaster::lose(Node& node, bool silent, const std::string& why) {
 std::uint64_t ClusterMaster::publish(ClusterFrame frame) {
   frame.number = ++number_;
   frame.epoch = epoch_;
+  frame.texts = texts_ ? texts_->version : 0;
+  frame.calibration = calibration_ ? calibration_->version : 0;
   frame_ = std::move(frame);
   released_ = false;
   published_s_ = clock_();
@@ -268,6 +280,46 @@ void ClusterMaster::set_light(double light) {
   }
 }
 
+void ClusterMaster::form_group() {
+  // Drivers need some frames before swaps are regular, and until then a swap barrier may block.
+  constexpr long first_frames = 60;
+  if (settings_.sync != SwapSync::nv_swap_group || nodes_.empty()) {
+    return;
+  }
+  const bool ready = std::ranges::all_of(nodes_, [](const auto& each) {
+    return each.second.report.state == NodeState::joined && each.second.frames >= first_frames;
+  });
+  // A node that is late stays in the group: leaving and joining it would delay all.
+  const bool complete = std::ranges::all_of(nodes_, [](const auto& each) {
+    return each.second.report.state == NodeState::joined || each.second.report.state == NodeState::behind;
+  });
+  const bool wanted = ready || (group_ && complete);
+  if (std::exchange(group_, wanted) != wanted) {
+    beat();
+  }
+  const bool formed = group_ && std::ranges::all_of(nodes_, [](const auto& each) { return each.second.grouped; });
+  if (std::exchange(group_formed_, formed) != formed) {
+    news_.push_back(
+        {!formed, formed ? "all nodes have joined the swap group" : "the swap group ends until all nodes are back"});
+  }
+}
+
+void ClusterMaster::set_texts(std::vector<Caption> captions) {
+  ClusterTexts texts{texts_ ? texts_->version : 0, std::move(captions)};
+  if (texts_ ? encode_cluster(texts) == encode_cluster(*texts_) : texts.captions.empty()) {
+    return;
+  }
+  ++texts.version;
+  texts_ = std::move(texts);
+  send_to_all(*texts_);
+}
+
+void ClusterMaster::set_calibration(ClusterCalibration calibration) {
+  calibration.version = calibration_ ? calibration_->version + 1 : 1;
+  calibration_ = std::move(calibration);
+  send_to_all(*calibration_);
+}
+
 void ClusterMaster::set_show(const std::string& show, const std::string& content) {
   if (show == settings_.identity.show && content == settings_.identity.content) {
     return;
@@ -285,16 +337,6 @@ std::vector<NodeReport> ClusterMaster::nodes() const {
   return all;
 }
 
-bool ClusterMaster::all_have_drawn(long frames) const {
-  return std::ranges::all_of(nodes_, [&](const auto& each) {
-    return each.second.report.state == NodeState::joined && each.second.frames >= frames;
-  });
-}
-
-bool ClusterMaster::all_grouped() const {
-  return std::ranges::all_of(nodes_, [](const auto& each) { return each.second.grouped; });
-}
-
 std::vector<ClusterNews> ClusterMaster::take_news() {
   if (news_.size() > max_news) {
     news_.resize(max_news);
@@ -304,6 +346,14 @@ std::vector<ClusterNews> ClusterMaster::take_news() {
 
 void ClusterMaster::send(const std::string& peer, const ClusterMessage& message) {
   channel_.send(peer, encode_cluster(message));
+}
+
+void ClusterMaster::send_to_all(const ClusterMessage& message) {
+  for (const auto& [name, node] : nodes_) {
+    if (takes_part(node)) {
+      send(node.peer, message);
+    }
+  }
 }
 
 ClusterMaster::Node* ClusterMaster::node_of(const std::string& peer) {

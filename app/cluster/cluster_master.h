@@ -39,7 +39,7 @@ struct NodeReport {
 class ClusterMaster {
  public:
   struct Settings {
-    ClusterIdentity identity;
+    ClusterIdentity identity;  //!< without a show, nodes may have any one
     SwapSync sync = SwapSync::barrier;
     std::vector<std::string> nodes;  //!< names of the nodes in the setup; others are refused
     std::uint64_t session = 0;       //!< number of this run; different in each run, not 0
@@ -64,17 +64,18 @@ class ClusterMaster {
   //! Sets the factor on the light of all displays.
   void set_light(double light);
 
+  //! Sets the captions of the next frames that are not part of the show, without times.
+  void set_texts(std::vector<Caption> captions);
+  //! Sets the state of the dome's calibration for the next frames. The version is chosen here.
+  void set_calibration(ClusterCalibration calibration);
+
   //! Continues with another version of the show. Nodes must prove that they have it too.
   void set_show(const std::string& show, const std::string& content);
 
   [[nodiscard]] std::vector<NodeReport> nodes() const;
-  //! Returns whether every node of the setup has rendered at least `frames` frames and all are still
-  //! there.
-  [[nodiscard]] bool all_have_drawn(long frames) const;
-  //! Returns whether all nodes have joined the swap group.
-  [[nodiscard]] bool all_grouped() const;
-  //! Lets the nodes join a swap group.
-  void group() { group_ = true; }
+  //! Returns whether computers must be in the swap group: with SwapSync::nv_swap_group, when every
+  //! node of the setup has rendered some frames, and until one of them is lost.
+  [[nodiscard]] bool group_wanted() const { return group_; }
 
   //! Returns the number of messages that were dropped because they were malformed.
   [[nodiscard]] long malformed() const { return malformed_; }
@@ -99,9 +100,11 @@ class ClusterMaster {
   void greet(const ClusterHello& hello, const std::string& peer);
   void note_ready(Node& node, const ClusterReady& ready);
   void welcome(Node& node);
+  void form_group();
   void lose(Node& node, bool silent, const std::string& why);
   void rejoin(Node& node);
   void send(const std::string& peer, const ClusterMessage& message);
+  void send_to_all(const ClusterMessage& message);
   void beat();
   [[nodiscard]] double patience_s(const Node& node) const;
   [[nodiscard]] Node* node_of(const std::string& peer);
@@ -113,6 +116,8 @@ class ClusterMaster {
   ClusterClock clock_;
   std::map<std::string, Node> nodes_;  //!< by name
   std::optional<ClusterFrame> frame_;  //!< last frame
+  std::optional<ClusterTexts> texts_;
+  std::optional<ClusterCalibration> calibration_;
   std::uint64_t number_ = 0;
   std::uint32_t epoch_ = 1;
   double published_s_ = 0.0;
@@ -121,6 +126,7 @@ class ClusterMaster {
   double slowest_ms_ = 0.0;
   double light_ = 1.0;
   bool group_ = false;
+  bool group_formed_ = false;  //!< all nodes have joined the swap group
   long malformed_ = 0;
   std::vector<ClusterNews> news_;
 };

@@ -5,10 +5,13 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "calibration/dome/dome_setup.h"
+#include "calibration/projectors/grid_offsets.h"
 #include "content/camera/camera_path.h"
 #include "content/show/show.h"
+#include "content/timeline/timeline.h"
 #include "kernels/image/shade_pixels.h"
 #include "kernels/sky/sky_sampling.h"
 #include "kernels/spacetime/kerr/observer.h"
@@ -28,6 +31,9 @@ struct ClusterQuality {
   bool operator==(const ClusterQuality&) const = default;
 };
 
+//! What the projectors show instead of the show's picture.
+enum class ClusterPattern : std::uint8_t { none, test_pattern, projector_numbers };
+
 //! Everything that a node needs to render the master's picture. Star limits and all else that is
 //! not listed here are part of the show, whose fingerprint nodes prove when they join.
 struct ClusterFrame {
@@ -37,6 +43,8 @@ struct ClusterFrame {
   bool on_path = false;      //!< the pose is that of the show's path at this time
   //! Change of show time per second, with which a node runs on if the master is silent.
   double rate = 0.0;
+  //! True: the show is the attract show of an exhibit.
+  bool attract = false;
   CameraPose pose{};
   ObserverMotion motion = ObserverMotion::zamo;
   Vector3<double> velocity{};  //!< velocity of the observer, see ObserverView::velocity
@@ -44,13 +52,19 @@ struct ClusterFrame {
   double field_of_view_deg = 0.0;
   StereoSettings stereo;
   double exposure_stops = 0.0;
-  //! Stops of automatic exposure, which the master follows for all; absent without it.
+  //! Stops of automatic exposure with which all computers show this picture. Absent: each follows
+  //! its own picture.
   std::optional<double> followed_stops;
   std::string language;
   bool captions = true;
   std::int32_t size_px = 0;        //!< width of one eye's image
   std::int32_t projectors_px = 0;  //!< OutputWish::projectors_px, of all projectors of the dome
   std::optional<ClusterQuality> quality;
+  double texts_opacity = 0.0;  //!< of the last ClusterTexts
+  std::uint32_t texts = 0;     //!< version of the ClusterTexts in the picture; 0: none
+  ClusterPattern pattern = ClusterPattern::none;
+  std::int32_t pattern_kind = 0;  //!< TestPattern by its number
+  std::uint32_t calibration = 0;  //!< version of the ClusterCalibration in use; 0: the setup that was read
 };
 
 //! Fingerprints of what every computer of a cluster must have in common.
@@ -98,14 +112,33 @@ struct ClusterHeartbeat {
   bool grouped = false;       //!< master: join the swap group; node: has joined it
 };
 
+//! Captions that are not part of the show, such as the welcome of an exhibit.
+struct ClusterTexts {
+  std::uint32_t version = 0;
+  std::vector<Caption> captions;  //!< in one language; without times
+};
+
+//! The dome while an operator calibrates it.
+struct ClusterCalibration {
+  std::uint32_t version = 0;
+  std::string setup;                 //!< to_toml() of the whole setup
+  std::vector<GridOffsets> offsets;  //!< of each projector
+  std::vector<std::string> texts;    //!< shown on each projector
+};
+
 using ClusterMessage = std::variant<ClusterFrame, ClusterHello, ClusterWelcome, ClusterRefused, ClusterReady,
-                                    ClusterSwap, ClusterHeartbeat>;
+                                    ClusterSwap, ClusterHeartbeat, ClusterTexts, ClusterCalibration>;
 
 //! Maximum size of a message [bytes].
-inline constexpr std::size_t max_cluster_message = 1024;
+inline constexpr std::size_t max_cluster_message = 256 * 1024;
 
 //! Maximum lengths of texts in messages [bytes]. Longer texts are cut when they are sent.
 inline constexpr std::size_t max_cluster_name = 64;
 inline constexpr std::size_t max_cluster_reason = 600;
+inline constexpr std::size_t max_cluster_caption = 4000;
+inline constexpr std::size_t max_cluster_setup = 60'000;
+//! Maximum numbers of captions, and of projectors in a calibration.
+inline constexpr std::size_t max_cluster_captions = 8;
+inline constexpr std::size_t max_cluster_projectors = 64;
 
 }  // namespace ergodome

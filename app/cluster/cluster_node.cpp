@@ -84,6 +84,10 @@ void ClusterNode::take(const ClusterMessage& message, double now_s) {
     epoch_.reset();
     sync_ = welcome->sync;
     refusal_.clear();
+  } else if (const auto* const texts = std::get_if<ClusterTexts>(&message)) {
+    texts_ = *texts;
+  } else if (const auto* const calibration = std::get_if<ClusterCalibration>(&message)) {
+    calibration_ = *calibration;
   } else if (const auto* const refused = std::get_if<ClusterRefused>(&message)) {
     state_ = State::refused;
     if (std::exchange(refusal_, refused->reason) != refused->reason) {
@@ -125,6 +129,10 @@ std::optional<ClusterNode::Work> ClusterNode::take_work() {
   Work work{*frame_, true};
   work.frame.time_ns += std::llround(1e9 * frame_->rate * (clock_() - frame_s_));
   return work;
+}
+
+std::vector<Caption> ClusterNode::captions_of(const ClusterFrame& frame) const {
+  return frame.texts != 0 && frame.texts == texts_.version ? texts_.captions : std::vector<Caption>();
 }
 
 void ClusterNode::report_ready(std::uint64_t number, double frame_ms) { send(ClusterReady{number, frame_ms}); }

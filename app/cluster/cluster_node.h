@@ -40,6 +40,11 @@ class ClusterNode {
   //! without the master; nothing if there is none.
   [[nodiscard]] std::optional<Work> take_work();
 
+  //! Returns the captions of a frame that are not part of the show.
+  [[nodiscard]] std::vector<Caption> captions_of(const ClusterFrame& frame) const;
+  //! Returns the state of the dome's calibration; nothing if there was none.
+  [[nodiscard]] const std::optional<ClusterCalibration>& calibration() const { return calibration_; }
+
   //! Reports that a frame from the master was rendered.
   void report_ready(std::uint64_t number, double frame_ms);
 
@@ -78,8 +83,10 @@ class ClusterNode {
   std::uint64_t session_ = 0;  //!< the master's run in which the node has joined; 0: none
   SwapSync sync_ = SwapSync::barrier;
   std::optional<ClusterFrame> frame_;  //!< last frame from the master
-  double frame_s_ = 0.0;               //!< when it came
-  bool taken_ = true;                  //!< take_work() has returned it
+  ClusterTexts texts_;
+  std::optional<ClusterCalibration> calibration_;
+  double frame_s_ = 0.0;  //!< when it came
+  bool taken_ = true;     //!< take_work() has returned it
   std::uint64_t released_ = 0;
   std::optional<std::uint32_t> epoch_;  //!< version of the show with which the node has joined
   bool show_wanted_ = false;

@@ -15,9 +15,12 @@
 #include "app/cli/show_loading.h"
 #include "app/cli/show_options.h"
 #include "app/cli/usage_error.h"
+#include "app/exhibit/exhibit_scenes.h"
+#include "app/exhibit/supervisor.h"
 #include "app/player/cluster_gate.h"
 #include "app/player/cluster_node_player.h"
 #include "app/player/outputs/dome_output.h"
+#include "app/player/outputs/headless_dome_output.h"
 #include "app/player/renderers/play_renderers.h"
 #include "content/files/console.h"
 #include "content/files/whole_file.h"
@@ -28,6 +31,8 @@ namespace {
 
 struct NodeArguments {
   std::string show;
+  bool exhibit = false;
+  std::string attract;
   ShowSettings set;
   std::string setup;
   std::string master;
@@ -63,6 +68,21 @@ void set_master(NodeOptions& options, const std::string& master, int usual_port)
   }
 }
 
+//! Reads the show of the command line and, in an exhibit, the attract show.
+std::vector<Show> shows_of(const NodeArguments& arguments, const DomeSetup& setup) {
+  const auto fitted = [&](const std::string& name) {
+    Show show = load_show(name, arguments.set);
+    fit_to_setup(show, setup);
+    require_features(show);
+    return show;
+  };
+  std::vector<Show> shows = {fitted(arguments.show.empty() ? usual_visitor_show : arguments.show)};
+  if (arguments.exhibit) {
+    shows.push_back(fitted(arguments.attract.empty() ? usual_attract_show(shows.front()) : arguments.attract));
+  }
+  return shows;
+}
+
 void make_key_file(const std::string& file) {
   ClusterKeys keys;
   std::string problem;
@@ -78,7 +98,7 @@ void run_node(const NodeArguments& arguments) {
     make_key_file(arguments.new_key);
     return;
   }
-  if (arguments.show.empty() || arguments.setup.empty() || arguments.master.empty()) {
+  if ((arguments.show.empty() && !arguments.exhibit) || arguments.setup.empty() || arguments.master.empty()) {
     throw UsageError("node", "needs a show, --setup and --master",
                      "run ergodome node SHOW --setup dome.toml --master HOST");
   }
@@ -99,16 +119,14 @@ void run_node(const NodeArguments& arguments) {
     throw UsageError("--name " + options.name, "is not the node of any projector in " + arguments.setup,
                      "write node = \"" + options.name + "\" for the projectors of this computer, or give --name");
   }
-  options.load = [arguments, whole] {
-    Show show = load_show(arguments.show, arguments.set);
-    fit_to_setup(show, whole);
-    require_features(show);
-    return show;
-  };
+  options.setup = whole;
+  options.load = [arguments, whole] { return shows_of(arguments, whole); };
   const Backend backend = choose_backend(arguments.without_windows ? "cpu" : arguments.backend);
   std::unique_ptr<DisplayOutput> output;
   if (arguments.without_windows) {
-    output = output_without_windows(projectors.pictures);
+    auto headless = std::make_unique<HeadlessDomeOutput>(projectors.pictures);
+    options.images = [shown = headless.get()] { return shown->images(); };
+    output = std::move(headless);
   } else {
     WindowOptions window;
     output = std::make_unique<DomeOutput>(window, projectors);
@@ -138,6 +156,12 @@ void add_node_command(CLI::App& app) {
       ->type_name("NAME");
   command->add_option("--make-key", arguments->new_key, "write new keys of a cluster to this file, and quit")
       ->type_name("FILE");
+  CLI::Option* const exhibit =
+      command->add_flag("--exhibit", arguments->exhibit,
+                        "with play --exhibit on the master: also show the attract show; restart after crashes");
+  command->add_option("--attract", arguments->attract, "with --exhibit: the attract show, as on the master")
+      ->type_name("SHOW")
+      ->needs(exhibit);
   command->add_option("--frame-log", arguments->frame_log, "list the shown frames in this CSV file")->type_name("FILE");
   command->add_flag("--no-windows", arguments->without_windows,
                     "render on the CPU without opening windows, to test the network");
@@ -146,6 +170,9 @@ void add_node_command(CLI::App& app) {
   add_lens_options(*command, arguments->lens, ignored);
   command->callback([arguments, ignored] {
     ignored.refuse();
+    if (arguments->exhibit) {
+      restart_after_crashes();
+    }
     run_node(*arguments);
   });
 }

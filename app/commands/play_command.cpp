@@ -79,10 +79,6 @@ void use_setup(PlayArguments& arguments) {
   if (arguments.cluster) {
     arguments.options.cluster =
         std::make_shared<ClusterGate>(projectors.setup, projectors.master_px, arguments.frame_log);
-    if (projectors.setup.cluster->sync == SwapSync::nv_swap_group) {
-      print_note(
-          "sync = \"nv_swap_group\" needs GLX_NV_swap_group, which this version does not use; the barrier is used");
-    }
     keep_projectors_of(projectors, "");
   } else if (!node_names(projectors.setup).empty()) {
     print_note("{} names projectors at nodes; their windows open here too, because --cluster is not given",
@@ -116,8 +112,8 @@ std::unique_ptr<DisplayOutput> open_output(PlayArguments& arguments, const Show&
   window.size = window_picture_size(layout, {projection.width_px, projection.height_px});
   window.full_screen = arguments.full_screen || arguments.exhibit;
   window.eye_buffers = layout == StereoLayout::quad_buffer;
-  // A master need not have projectors of its own.
-  if (arguments.projectors && !arguments.projectors->pictures.empty()) {
+  if (arguments.projectors) {
+    // A master need not have projectors of its own: the control window then is its only window.
     return std::make_unique<DomeOutput>(window, *arguments.projectors);
   }
   return std::make_unique<WindowOutput>(window);
@@ -373,7 +369,6 @@ void add_exhibit_options(CLI::App& command, PlayArguments& arguments, IgnoredOpt
       ->check(number_between(0.0, 86400.0))
       ->needs(locked)
       ->capture_default_str();
-  ignored.add("with --cluster, whose nodes show one show", [&arguments] { return arguments.cluster; }, {"--exhibit"});
   ignored.add("with --exhibit, which starts free flight for each visitor", [&arguments] { return arguments.exhibit; },
               {"--fly"});
 }

@@ -46,6 +46,8 @@ class ExhibitScenes {
   [[nodiscard]] ExhibitScene scene() const { return exhibit_.scene(); }
   //! Returns the show of the current scene.
   [[nodiscard]] const Show& show() const { return scene() == ExhibitScene::visitor ? visitor_ : attract_; }
+  //! Returns the visitors' show and the attract show.
+  [[nodiscard]] std::vector<Show> shows() const { return {visitor_, attract_}; }
   //! In each scene whose show has the name and folder of `show`, replaces that show by `show`.
   void renew(const Show& show);
   //! Returns whether an operator has ever held the exit keys for three seconds.

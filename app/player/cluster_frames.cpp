@@ -10,6 +10,19 @@
 
 namespace ergodome {
 
+namespace {
+
+//! Returns what distinguishes the content of a file from that of others.
+std::string content_of(const std::filesystem::path& file) {
+  std::error_code problem;
+  const std::uintmax_t bytes = std::filesystem::file_size(file, problem);
+  const bool large = !problem && bytes > max_hashed_bytes;
+  return fmt::format("{}:{};", large ? bytes : 0,
+                     large ? fingerprint_of_start(file, max_hashed_bytes) : fingerprint_of_file(file));
+}
+
+}  // namespace
+
 ClusterFrame cluster_frame(const PictureRequest& request, double rate) {
   const PlayerFrame& frame = request.frame;
   ClusterFrame sent;
@@ -23,11 +36,11 @@ ClusterFrame cluster_frame(const PictureRequest& request, double rate) {
   sent.field_of_view_deg = frame.field_of_view_deg;
   sent.stereo = frame.stereo;
   sent.exposure_stops = frame.exposure_stops;
-  sent.followed_stops = request.renderer ? request.renderer->followed_stops() : std::nullopt;
   sent.language = frame.language;
   sent.captions = frame.captions;
   sent.size_px = request.size_px;
   sent.projectors_px = request.output.projectors_px;
+  sent.texts_opacity = request.captions_opacity;
   if (request.quality) {
     sent.quality = ClusterQuality{request.quality->budget_px, static_cast<std::int32_t>(request.quality->lens),
                                   request.quality->filter, request.whole_px};
@@ -53,6 +66,7 @@ void apply(const ClusterFrame& frame, PictureRequest& request) {
   request.size_px = frame.size_px;
   request.output.projectors_px = frame.projectors_px;
   request.patience_s = patience_s;
+  request.adapts_at_once = !frame.followed_stops;
   request.quality.reset();
   if (frame.quality) {
     request.quality =
@@ -61,20 +75,45 @@ void apply(const ClusterFrame& frame, PictureRequest& request) {
   }
 }
 
-std::string show_fingerprint(const Show& show) { return fingerprint(to_toml(show)); }
+void show_with_stops(double stops, PictureAnswer& answer) {
+  if (!answer.followed_stops) {
+    return;
+  }
+  const auto factor = static_cast<float>(std::exp2(stops - *answer.followed_stops));
+  answer.picture.tone.gain *= factor;
+  if (answer.right_eye) {
+    answer.right_eye->tone.gain *= factor;
+  }
+  if (answer.on_device) {
+    answer.on_device->tone.gain *= factor;
+  }
+  answer.followed_stops = stops;
+}
 
-std::string content_fingerprint(const Show& show) {
+std::vector<Caption> in_language(std::vector<Caption> captions, const std::string& language) {
+  for (Caption& caption : captions) {
+    caption.text = {{"", text_in(caption.text, language)}};
+  }
+  return captions;
+}
+
+std::string fingerprint_of_shows(const std::vector<Show>& shows) {
   std::string all;
-  const std::filesystem::path own = file_of(show);
-  for (const std::filesystem::path& file : files_of(own, show)) {
-    if (file == own) {
-      continue;
+  for (const Show& show : shows) {
+    all += to_toml(show);
+  }
+  return fingerprint(all);
+}
+
+std::string fingerprint_of_contents(const std::vector<Show>& shows) {
+  std::string all;
+  for (const Show& show : shows) {
+    const std::filesystem::path own = file_of(show);
+    for (const std::filesystem::path& file : files_of(own, show)) {
+      if (file != own) {
+        all += content_of(file);
+      }
     }
-    std::error_code problem;
-    const std::uintmax_t bytes = std::filesystem::file_size(file, problem);
-    const bool large = !problem && bytes > max_hashed_bytes;
-    all += fmt::format("{}:{};", large ? bytes : 0,
-                       large ? fingerprint_of_start(file, max_hashed_bytes) : fingerprint_of_file(file));
   }
   return fingerprint(all);
 }

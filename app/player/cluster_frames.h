@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/cluster/cluster_messages.h"
 #include "app/player/renderers/frame_source.h"
@@ -16,11 +17,17 @@ ClusterFrame cluster_frame(const PictureRequest& request, double rate);
 //! wait for their lens, so that all computers show the same one.
 void apply(const ClusterFrame& frame, PictureRequest& request);
 
-//! Returns the fingerprint of a show with the changes of the command line.
-std::string show_fingerprint(const Show& show);
+//! Changes the stops of automatic exposure with which a finished picture is shown.
+void show_with_stops(double stops, PictureAnswer& answer);
 
-//! Returns the fingerprint of the contents of all files that a show names. Of files above a
-//! gibibyte, only the first one and the size count.
-std::string content_fingerprint(const Show& show);
+//! Returns captions with the texts of one language only.
+std::vector<Caption> in_language(std::vector<Caption> captions, const std::string& language);
+
+//! Returns the fingerprint of shows with the changes of the command line.
+std::string fingerprint_of_shows(const std::vector<Show>& shows);
+
+//! Returns the fingerprint of the contents of all files that shows name. Of files above a gibibyte,
+//! only the first one and the size count.
+std::string fingerprint_of_contents(const std::vector<Show>& shows);
 
 }  // namespace ergodome

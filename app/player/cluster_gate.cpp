@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <random>
+#include <utility>
 
 #include "app/cluster/cluster_library.h"
 #include "app/player/cluster_frames.h"
@@ -49,43 +50,71 @@ double cluster_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-ClusterGate::ClusterGate(const DomeSetup& setup, int projectors_px, const std::string& frame_log)
-    : channel_(listen_for_nodes(setup)), log_(frame_log), projectors_px_(projectors_px) {
-  master_.emplace(
-      *channel_,
+ClusterHost open_cluster(const DomeSetup& setup) {
+  ClusterHost host;
+  host.channel = listen_for_nodes(setup);
+  host.master = std::make_unique<ClusterMaster>(
+      *host.channel,
       ClusterMaster::Settings{cluster_identity(setup), setup.cluster->sync, node_names(setup), random_session()},
       cluster_seconds);
+  return host;
 }
 
-void ClusterGate::set_show(const Show& show) { master_->set_show(show_fingerprint(show), content_fingerprint(show)); }
+ClusterGate::ClusterGate(const DomeSetup& setup, int projectors_px, const std::string& frame_log)
+    : host_(open_cluster(setup)), log_(frame_log), projectors_px_(projectors_px) {}
+
+void ClusterGate::set_shows(const std::vector<Show>& shows) {
+  host_.master->set_show(fingerprint_of_shows(shows), fingerprint_of_contents(shows));
+}
+
+void ClusterGate::set_attract(bool attract) {
+  if (std::exchange(attract_, attract) != attract) {
+    // The exposure of another show does not suit.
+    stops_.reset();
+  }
+}
 
 void ClusterGate::advance(double rate, double light) {
   rate_ = rate;
-  master_->set_light(light);
-  master_->poll();
+  host_.master->set_light(light);
+  host_.master->poll();
 }
 
 void ClusterGate::publish(PictureRequest& request) {
+  host_.master->set_texts(in_language(request.captions, request.frame.language));
   frame_ = cluster_frame(request, rate_);
   frame_.projectors_px = projectors_px_;
+  frame_.attract = attract_;
+  // The exposure of this picture is known only after it was rendered, so all computers show it with
+  // that of the picture before.
+  frame_.followed_stops = stops_;
   // The master renders what it has sent, rounded times included.
   apply(frame_, request);
-  frame_.number = master_->publish(frame_);
+  frame_.number = host_.master->publish(frame_);
 }
 
 bool ClusterGate::release(PictureAnswer& answer) {
-  if (!master_->release()) {
+  const double now_s = cluster_seconds();
+  finished_s_ = finished_s_.value_or(now_s);
+  if (!host_.master->release()) {
     return false;
   }
-  answer.time_ms = std::max(answer.time_ms, master_->slowest_ms());
-  log_.add(frame_, answer.picture);
+  const double waited_ms = 1e3 * (now_s - *std::exchange(finished_s_, std::nullopt));
+  answer.time_ms = std::max(answer.time_ms, host_.master->slowest_ms());
+  if (frame_.attract == attract_) {
+    stops_ = answer.followed_stops;
+  }
+  if (frame_.followed_stops) {
+    show_with_stops(*frame_.followed_stops, answer);
+  }
+  log_.add(frame_, answer.picture, "", waited_ms);
   return true;
 }
 
 void ClusterGate::fill(PlayerStatus& status) const {
   std::string others;
   std::size_t joined = 0;
-  for (const NodeReport& node : master_->nodes()) {
+  for (const NodeReport& node : host_.master->nodes()) {
     status.nodes.push_back({node.name, node_state_name(node.state), node.frame_ms, node.late_frames, node.lost,
                             node.rejoined, node.problem});
     if (node.state == NodeState::joined) {

@@ -13,6 +13,16 @@
 
 namespace ergodome {
 
+//! A master of the nodes of a dome, and the connections to them.
+struct ClusterHost {
+  std::unique_ptr<MasterChannel> channel;
+  std::unique_ptr<ClusterMaster> master;
+};
+
+//! Listens for the nodes of a setup, which must have a [cluster]. Nodes may have any show until the
+//! master has one. Throws Error if the keys cannot be read or the address cannot be used.
+ClusterHost open_cluster(const DomeSetup& setup);
+
 //! Shows the pictures of the player at the same time as the nodes of a dome: the player is the
 //! master.
 class ClusterGate : public PictureGate {
@@ -22,8 +32,11 @@ class ClusterGate : public PictureGate {
   //! empty. Throws Error if the keys cannot be read or the address cannot be used.
   ClusterGate(const DomeSetup& setup, int projectors_px, const std::string& frame_log);
 
-  //! Continues with another version of the show, or with the first one.
-  void set_show(const Show& show);
+  //! Continues with these versions of the shows: that of the command line and, in an exhibit, the
+  //! attract show.
+  void set_shows(const std::vector<Show>& shows);
+  //! Chooses which of both shows the next pictures are of.
+  void set_attract(bool attract);
 
   //! Handles messages; called once per frame. `rate`: change of show time per second while the
   //! camera is on the show's path, otherwise 0. `light`: factor on the displays' light.
@@ -33,14 +46,18 @@ class ClusterGate : public PictureGate {
   bool release(PictureAnswer& answer) override;
 
   //! Returns the lines for the log since the last call.
-  [[nodiscard]] std::vector<ClusterNews> take_news() { return master_->take_news(); }
+  [[nodiscard]] std::vector<ClusterNews> take_news() { return host_.master->take_news(); }
+  //! Returns whether the display must be in the swap group of the nodes.
+  [[nodiscard]] bool group_wanted() const { return host_.master->group_wanted(); }
   //! Adds the state of the nodes.
   void fill(PlayerStatus& status) const;
 
  private:
-  std::unique_ptr<MasterChannel> channel_;
-  std::optional<ClusterMaster> master_;
+  ClusterHost host_;
   ClusterFrame frame_;  //!< last frame
+  bool attract_ = false;
+  std::optional<double> finished_s_;  //!< when the picture that waits was finished
+  std::optional<double> stops_;       //!< that automatic exposure chose for the last picture
   FrameLog log_;
   int projectors_px_;
   double rate_ = 0.0;

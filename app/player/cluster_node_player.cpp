@@ -7,43 +7,15 @@
 #include <utility>
 
 #include "app/cli/interrupt.h"
+#include "app/exhibit/supervisor.h"
 #include "app/player/cluster_frames.h"
 #include "app/player/cluster_gate.h"
 #include "content/files/console.h"
 #include "kernels/core/error.h"
-#include "render/present/projectors/headless_projectors.h"
 
 namespace ergodome {
 
 namespace {
-
-class OutputWithoutWindows : public DisplayOutput {
- public:
-  explicit OutputWithoutWindows(const std::vector<ProjectorPicture>& pictures)
-      : count_(pictures.size()), projectors_(pictures, ProjectorDrawer::processor) {}
-
-  [[nodiscard]] OutputWish wish() override { return {}; }
-  void take(OutputFrame& frame) override { picture_ = frame.picture; }
-  void set_light(double /*light*/) override {}
-  void show() override {
-    if (picture_.rgba.empty()) {
-      return;
-    }
-    projectors_.show(picture_);
-    for (std::size_t i = 0; i < count_; ++i) {
-      (void)projectors_.frame(i);
-    }
-  }
-  [[nodiscard]] bool closed() const override { return closed_; }
-  void close() override { closed_ = true; }
-  [[nodiscard]] bool is_dome() const override { return true; }
-
- private:
-  std::size_t count_;
-  HeadlessProjectors projectors_;
-  Picture picture_;
-  bool closed_ = false;
-};
 
 std::unique_ptr<NodeChannel> connect_to_master(const NodeOptions& options) {
   std::string problem;
@@ -57,13 +29,13 @@ std::unique_ptr<NodeChannel> connect_to_master(const NodeOptions& options) {
 
 }  // namespace
 
-std::unique_ptr<DisplayOutput> output_without_windows(const std::vector<ProjectorPicture>& pictures) {
-  return std::make_unique<OutputWithoutWindows>(pictures);
-}
-
 ClusterNodePlayer::ClusterNodePlayer(const NodeOptions& options, RendererLoader::Make make,
                                      std::unique_ptr<DisplayOutput> output)
-    : options_(options), make_(std::move(make)), output_(std::move(output)), log_(options.frame_log) {
+    : options_(options),
+      make_(std::move(make)),
+      output_(std::move(output)),
+      calibration_(options.setup, options.name),
+      log_(options.frame_log) {
   load();
   channel_ = connect_to_master(options_);
   node_.emplace(*channel_, ClusterNode::Settings{options_.name, options_.identity}, cluster_seconds);
@@ -73,15 +45,24 @@ ClusterNodePlayer::~ClusterNodePlayer() = default;
 
 void ClusterNodePlayer::load() {
   const auto read_at = std::chrono::system_clock::now();
-  show_ = options_.load();
-  renderer_ = make_(show_);
-  options_.identity.show = show_fingerprint(show_);
-  options_.identity.content = content_fingerprint(show_);
-  files_.watch(files_of(file_of(show_), show_), read_at);
+  std::vector<Show> shows = options_.load();
+  std::vector<std::shared_ptr<ShowRenderer>> renderers;
+  std::vector<std::filesystem::path> files;
+  for (const Show& show : shows) {
+    renderers.push_back(make_(show));
+    const std::vector<std::filesystem::path> its_files = files_of(file_of(show), show);
+    files.insert(files.end(), its_files.begin(), its_files.end());
+  }
+  shows_ = std::move(shows);
+  renderers_ = std::move(renderers);
+  options_.identity.show = fingerprint_of_shows(shows_);
+  options_.identity.content = fingerprint_of_contents(shows_);
+  files_.watch(files, read_at);
 }
 
 void ClusterNodePlayer::run() {
   constexpr double wait_s = 0.002;
+  notify_supervisor_ready();
   while (!output_->closed() && !interrupted()) {
     channel_->wait(wait_s);
     node_->poll();
@@ -89,12 +70,16 @@ void ClusterNodePlayer::run() {
     reload_show();
     start_next();
     show_released();
+    follow_light();
+    join_swap_group();
+    notify_supervisor_alive(cluster_seconds());
   }
 }
 
 void ClusterNodePlayer::report() {
   for (const ClusterNews& news : node_->take_news()) {
     print_note("{}", news.text);
+    notify_supervisor(news.text);
   }
 }
 
@@ -125,57 +110,108 @@ void ClusterNodePlayer::start_next() {
     return;
   }
   show_released();
+  const std::size_t scene = std::min<std::size_t>(work->frame.attract ? 1 : 0, shows_.size() - 1);
   PictureRequest request;
-  request.renderer = renderer_;
+  request.renderer = renderers_[scene];
   if (work->runs_on) {
-    const double time_s = std::min(1e-9 * static_cast<double>(work->frame.time_ns), show_.duration_s);
+    const double time_s = std::min(1e-9 * static_cast<double>(work->frame.time_ns), shows_[scene].duration_s);
     work->frame.time_ns = static_cast<std::int64_t>(1e9 * time_s);
-    work->frame.pose = camera_pose(show_, time_s);
+    work->frame.pose = camera_pose(shows_[scene], time_s);
   }
   apply(work->frame, request);
+  request.captions = node_->captions_of(work->frame);
+  request.captions_opacity = work->frame.texts_opacity;
   request.followed_stops = work->frame.followed_stops;
+  show_calibration(work->frame);
+  request.pattern = calibration_.pattern_of(work->frame);
   next_ = Shown{std::move(*work), {}};
   source_.ask(request);
 }
 
-void ClusterNodePlayer::show_released() {
-  constexpr double events_every_s = 0.1;
-  if (next_ && !next_->answer) {
-    if (auto answer = source_.take()) {
-      if (!answer->problem.empty()) {
-        print_note("{}", answer->problem);
-        next_.reset();
-      } else {
-        if (!next_->work.runs_on) {
-          node_->report_ready(next_->work.frame.number, answer->time_ms);
-        }
-        next_->answer = std::move(answer);
-        // The picture is uploaded before its release, so that showing it takes no time.
-        if (log_.wanted()) {
-          log_picture_ = next_->answer->picture;
-        }
-        output_->take(*next_->answer);
-      }
+void ClusterNodePlayer::show_calibration(const ClusterFrame& frame) {
+  try {
+    if (calibration_.follow(frame, node_->calibration())) {
+      output_->set_projectors(calibration_.pictures());
     }
-  }
-  const double light = node_->light();
-  const bool dimmed = std::exchange(light_, light) != light;
-  if (dimmed) {
-    output_->set_light(light);
-  }
-  if (next_ && next_->answer && node_->may_show(next_->work.frame.number)) {
-    output_->show();
-    if (!next_->work.runs_on) {
-      log_.add(next_->work.frame, log_picture_);
+    if (calibration_.rasters_change(frame)) {
+      output_->set_rasters(calibration_.rasters(frame));
     }
+    if (shown_texts_ != calibration_.texts()) {
+      shown_texts_ = calibration_.texts();
+      output_->set_projector_texts(shown_texts_);
+    }
+  } catch (const std::exception& problem) {
+    // The last warps stay until the operator makes the setup valid again.
+    print_note("{}", problem.what());
+  }
+}
+
+void ClusterNodePlayer::take_answer() {
+  if (!next_ || next_->answer) {
+    return;
+  }
+  std::optional<PictureAnswer> answer = source_.take();
+  if (!answer) {
+    return;
+  }
+  if (!answer->problem.empty()) {
+    print_note("{}", answer->problem);
     next_.reset();
-  } else if (dimmed && !next_) {
-    output_->show();
+    return;
+  }
+  const ClusterFrame& frame = next_->work.frame;
+  if (!next_->work.runs_on) {
+    node_->report_ready(frame.number, answer->time_ms);
+  }
+  if (frame.followed_stops) {
+    show_with_stops(*frame.followed_stops, *answer);
+  }
+  next_->answer = std::move(answer);
+  // The picture is uploaded before its release, so that showing it takes no time.
+  if (log_.wanted()) {
+    log_picture_ = next_->answer->picture;
+  }
+  output_->take(*next_->answer);
+}
+
+void ClusterNodePlayer::show_released() {
+  take_answer();
+  if (!next_ || !next_->answer || !node_->may_show(next_->work.frame.number)) {
+    return;
+  }
+  output_->show();
+  if (!next_->work.runs_on) {
+    log_.add(next_->work.frame, log_picture_, options_.images ? options_.images() : "");
+  }
+  next_.reset();
+}
+
+void ClusterNodePlayer::follow_light() {
+  constexpr double events_every_s = 0.1;
+  const double light = node_->light();
+  if (std::exchange(light_, light) != light) {
+    output_->set_light(light);
+    // A frame that was taken but not released must not be seen yet; it will be shown with this light.
+    if (!next_) {
+      output_->show();
+    }
   }
   if (const double now_s = cluster_seconds(); now_s - events_s_ > events_every_s) {
     events_s_ = now_s;
     // Keys do nothing on a node, but windows must handle their events.
     (void)output_->events();
+  }
+}
+
+void ClusterNodePlayer::join_swap_group() {
+  const bool wanted = node_->group_wanted();
+  if (std::exchange(group_asked_, wanted) == wanted) {
+    return;
+  }
+  const std::string problem = output_->join_swap_group(wanted);
+  node_->set_grouped(wanted && problem.empty());
+  if (!problem.empty()) {
+    print_note("{}", problem);
   }
 }
 

@@ -10,9 +10,9 @@
 #include "app/cluster/cluster_node.h"
 #include "app/playback/show_reload.h"
 #include "app/player/frame_log.h"
+#include "app/player/node_calibration.h"
 #include "app/player/renderers/frame_source.h"
 #include "app/player/renderers/renderer_loader.h"
-#include "calibration/projectors/projector_picture.h"
 #include "render/present/output.h"
 
 namespace ergodome {
@@ -23,15 +23,20 @@ struct NodeOptions {
   std::string host;  //!< of the master
   int port = 0;
   ClusterKeys keys;
-  ClusterIdentity identity;    //!< without the show
-  std::string frame_log;       //!< file for FrameLog; empty: none
-  std::function<Show()> load;  //!< reads the show and fits it to the setup
+  ClusterIdentity identity;  //!< without the show
+  std::string frame_log;     //!< file for FrameLog; empty: none
+  //! Returns the fingerprint of the projectors' images, for the log; may be empty.
+  std::function<std::string()> images;
+  DomeSetup setup;  //!< with the projectors of all computers
+  //! Reads the shows of the command line and fits them to the setup: the show and, in an exhibit,
+  //! the attract show.
+  std::function<std::vector<Show>()> load;
 };
 
 //! Renders the frames that the master of a dome sends, and shows them together with the others.
 class ClusterNodePlayer {
  public:
-  //! `output` may be a DomeOutput or one without windows. Throws Error if the master's address is
+  //! `output`: the projectors of this node. Throws Error if the master's address is
   //! invalid or the show cannot be read or rendered.
   ClusterNodePlayer(const NodeOptions& options, RendererLoader::Make make, std::unique_ptr<DisplayOutput> output);
   ~ClusterNodePlayer();
@@ -43,10 +48,14 @@ class ClusterNodePlayer {
 
  private:
   void start_next();
+  void take_answer();
   void show_released();
+  void follow_light();
+  void show_calibration(const ClusterFrame& frame);
   void reload_show();
   void report();
   void load();
+  void join_swap_group();
 
   struct Shown {
     ClusterNode::Work work;
@@ -56,8 +65,9 @@ class ClusterNodePlayer {
   NodeOptions options_;
   RendererLoader::Make make_;
   std::unique_ptr<DisplayOutput> output_;
-  Show show_;
-  std::shared_ptr<ShowRenderer> renderer_;
+  std::vector<Show> shows_;
+  std::vector<std::shared_ptr<ShowRenderer>> renderers_;  //!< of `shows_`
+  NodeCalibration calibration_;
   FileWatch files_;
   std::unique_ptr<NodeChannel> channel_;
   std::optional<ClusterNode> node_;
@@ -67,9 +77,8 @@ class ClusterNodePlayer {
   Picture log_picture_;  //!< picture of `next_`, for the log
   double light_ = 1.0;
   double events_s_ = 0.0;
+  std::vector<std::string> shown_texts_;  //!< on the projectors
+  bool group_asked_ = false;              //!< the last request to the output to be in the swap group
 };
-
-//! An output without windows, which draws the projectors' pictures into memory.
-std::unique_ptr<DisplayOutput> output_without_windows(const std::vector<ProjectorPicture>& pictures);
 
 }  // namespace ergodome

@@ -17,10 +17,10 @@ FrameLog::FrameLog(const std::string& file) {
   if (!file_) {
     throw Error(file, "cannot be written", "choose a folder that exists and is writable");
   }
-  file_ << "number,time_ns,r,theta,phi,size_px,exposure,stops,language,picture,shown_ms\n";
+  file_ << "number,time_ns,r,theta,phi,size_px,exposure,stops,language,picture,gain,shown_ms,images,waited_ms\n";
 }
 
-void FrameLog::add(const ClusterFrame& frame, const Picture& picture) {
+void FrameLog::add(const ClusterFrame& frame, const Picture& picture, const std::string& images, double waited_ms) {
   if (!wanted()) {
     return;
   }
@@ -29,10 +29,10 @@ void FrameLog::add(const ClusterFrame& frame, const Picture& picture) {
           ? std::string()
           : fingerprint({reinterpret_cast<const char*>(picture.rgba.data()), picture.rgba.size() * sizeof(float)});
   const auto now = std::chrono::system_clock::now().time_since_epoch();
-  file_ << fmt::format("{},{},{},{},{},{},{},{},{},{},{:.3f}\n", frame.number, frame.time_ns, frame.pose.r,
-                       frame.pose.theta, frame.pose.phi, frame.size_px, frame.exposure_stops,
-                       frame.followed_stops.value_or(0.0), frame.language, pixels,
-                       std::chrono::duration<double, std::milli>(now).count());
+  file_ << fmt::format("{},{},{},{},{},{},{},{},{},{},{:.5g},{:.3f},{},{:.3f}\n", frame.number, frame.time_ns,
+                       frame.pose.r, frame.pose.theta, frame.pose.phi, frame.size_px, frame.exposure_stops,
+                       frame.followed_stops.value_or(0.0), frame.language, pixels, picture.tone.gain,
+                       std::chrono::duration<double, std::milli>(now).count(), images, waited_ms);
   file_.flush();
 }
 

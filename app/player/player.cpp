@@ -74,10 +74,6 @@ Player::Player(const Show& show, const RendererLoader::Make& make, std::unique_p
       services_(options.services, show),
       recording_(options.record, options.exhibit ? RecordingFile::Names::numbered : RecordingFile::Names::one) {
   Show first = show;
-  if (options_.cluster) {
-    options_.cluster->set_show(show);
-    pictures_.set_gate(options_.cluster.get());
-  }
   if (options_.exhibit) {
     exhibit_.emplace(*options_.exhibit, show, options_.load(options_.exhibit->attract));
     first = exhibit_->show();
@@ -92,6 +88,10 @@ Player::Player(const Show& show, const RendererLoader::Make& make, std::unique_p
   }
   if (options_.guide) {
     inputs_.set_lock(InputLock::guide);
+  }
+  if (options_.cluster) {
+    set_cluster_shows(show);
+    pictures_.set_gate(options_.cluster.get());
   }
   pictures_.renderers().prepare(ExhibitScene::attract, first);
   pictures_.renderers().enter(ExhibitScene::attract, first);
@@ -113,6 +113,9 @@ void Player::begin(const Show& show, bool free_flight) {
   // end it.
   const bool dark = exhibit_ && session_ && session_->playback().dark();
   session_.emplace(show, session_options(options_, free_flight, *output_));
+  if (options_.cluster) {
+    options_.cluster->set_attract(exhibit_ && exhibit_->scene() == ExhibitScene::attract);
+  }
   eye_notice_.begin();
   disparity_limit_.begin();
   output_->set_headset(show.headset);
@@ -353,6 +356,14 @@ void Player::advance_cluster() {
   for (const ClusterNews& news : options_.cluster->take_news()) {
     services_.report(news.warning ? spdlog::level::warn : spdlog::level::info, news.text);
   }
+  const bool wanted = options_.cluster->group_wanted();
+  if (std::exchange(in_swap_group_, wanted) != wanted) {
+    services_.report(spdlog::level::warn, output_->join_swap_group(wanted));
+  }
+}
+
+void Player::set_cluster_shows(const Show& show) {
+  options_.cluster->set_shows(exhibit_ ? exhibit_->shows() : std::vector<Show>{show});
 }
 
 void Player::end_in_time() {
@@ -385,11 +396,11 @@ void Player::take_version(const Show& show) {
   session_->set_show(show);
   output_->set_headset(show.headset);
   services_.take_version(show);
-  if (options_.cluster) {
-    options_.cluster->set_show(show);
-  }
   if (exhibit_) {
     exhibit_->renew(show);
+  }
+  if (options_.cluster) {
+    set_cluster_shows(show);
   }
   services_.report(spdlog::level::info, fmt::format("{} was reloaded", show.name));
 }

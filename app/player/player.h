@@ -115,6 +115,8 @@ class Player {
   //! and that saving works again.
   void keep_recording(RecordingMoment moment);
   void advance_cluster();
+  //! Tells the nodes which shows they must have. `show`: the only one, without an exhibit.
+  void set_cluster_shows(const Show& show);
   void end_in_time();
   //! Closes the output and stores the reason.
   void end(std::string why);
@@ -150,6 +152,7 @@ class Player {
   //! When the first frame, or the error instead of it, came.
   std::optional<Clock::time_point> first_answer_;
   RecordingFile recording_;
+  bool in_swap_group_ = false;
   std::string recording_problem_;  //!< why the last flight could not be written
   std::string why_ended_;          //!< reason if the program closed the window itself
 };

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/projectors/projector_picture.h"
 #include "content/camera/camera_path.h"
 #include "content/show/headset_settings.h"
 #include "kernels/projection/projection.h"
@@ -142,6 +143,16 @@ class DisplayOutput : public Output {
   //! head's view, the player does not change the eyes, and help is drawn as a caption in the
   //! picture.
   [[nodiscard]] virtual bool is_dome() const { return false; }
+
+  //! Replaces warps, masks and colors of a dome's projectors, in the order of its setup.
+  virtual void set_projectors(const std::vector<ProjectorPicture>& /*pictures*/) {}
+  //! Shows a raster on each projector of a dome instead of the frames; empty: frames.
+  virtual void set_rasters(const std::vector<Picture>& /*rasters*/) {}
+  //! Sets the text over the image of each projector of a dome.
+  virtual void set_projector_texts(const std::vector<std::string>& /*texts*/) {}
+  //! Joins the swap group of a dome of several computers, or leaves it (GLX_NV_swap_group). Returns
+  //! why that is not possible; empty if it was done or is not necessary.
+  [[nodiscard]] virtual std::string join_swap_group(bool /*joined*/) { return {}; }
 
   //! Sets the settings of a headset, when a show begins and when it was read again.
   virtual void set_headset(const HeadsetSettings& /*settings*/) {}

@@ -247,6 +247,10 @@ void add_calibrate_command(CLI::App& app) {
                         "show test patterns on the projectors and adjust the setup with keys; computes no warps");
   command->add_flag("--no-control", options->shown.hide_control, "with --live: open only the projectors' windows")
       ->needs(live);
+  command
+      ->add_flag("--cluster", options->shown.cluster,
+                 "with --live: nodes (ergodome node) show their projectors; this computer those without a node")
+      ->needs(live);
   command->add_option("--for", options->shown.for_seconds, "with --live: quit after this many seconds")
       ->check(number_between(0.0, 1e9))
       ->needs(live);

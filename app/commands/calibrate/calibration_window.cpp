@@ -27,14 +27,32 @@ int pattern_count() { return static_cast<int>(test_pattern_names().size()) + 1; 
 constexpr int key_font_px = 14;
 constexpr int first_master_px = 512;
 
+//! Returns the indices of the projectors of this computer: all, or those without a node.
+std::vector<std::size_t> own_projectors(const DomeSetup& setup, bool cluster) {
+  std::vector<std::size_t> own;
+  for (std::size_t i = 0; i < setup.projectors.size(); ++i) {
+    if (!cluster || setup.projectors[i].node.empty()) {
+      own.push_back(i);
+    }
+  }
+  return own;
+}
+
+DomeSetup own_setup(const DomeSetup& setup, bool cluster) { return cluster ? part_of_setup(setup, "") : setup; }
+
 }  // namespace
 
 CalibrationWindow::CalibrationWindow(const LiveOptions& options)
     : options_(options),
       state_(read_dome_setup(options.setup), pattern_count()),
       pictures_(state_.setup(), MaskDetail::preview),
+      own_(own_projectors(state_.setup(), options.cluster)),
       window_(700, 700, "Ergodome calibrate", false),
-      projectors_(window_, state_.setup(), pictures_.pictures(), options.hide_control, WarpUse::adjusted) {
+      projectors_(window_, own_setup(state_.setup(), options.cluster), own_pictures(), options.hide_control,
+                  WarpUse::adjusted) {
+  if (options_.cluster) {
+    host_ = open_cluster(state_.setup());
+  }
   if (options_.master_px <= 0) {
     options_.master_px = enough_master_px(pictures_.pictures());
   }
@@ -65,6 +83,7 @@ void CalibrationWindow::run() {
     }
     repeat_held_key();
     renew();
+    advance_cluster();
     draw();
     refine();
     if (options_.for_seconds > 0.0 &&
@@ -75,7 +94,7 @@ void CalibrationWindow::run() {
   if (!options_.screenshot.empty()) {
     while (refine()) {
     }
-    projectors_.save_screenshots(options_.screenshot, plain_names(state_.setup()));
+    projectors_.save_screenshots(options_.screenshot, plain_names(own_setup(state_.setup(), options_.cluster)));
   }
   if (state_.unsaved()) {
     print_out("changes were not saved\n");
@@ -106,6 +125,9 @@ void CalibrationWindow::act(CalibrationAction action) {
   } else if (action == CalibrationAction::save) {
     renew();
     save();
+  } else if (needs_nodes(action)) {
+    message_ = "copy " + options_.setup + " and its warps to the nodes, and start this program again";
+    renewal_ = std::min(renewal_, Renewal::text);
   } else {
     message_.clear();
     renewal_ = std::min(renewal_, state_.press(action));
@@ -127,8 +149,9 @@ void CalibrationWindow::save() {
                : "";
     // From here on, the window shows the contents of the saved files.
     pictures_ = DomePictures(state_.setup());
-    for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
-      projectors_.replace(i, pictures_.pictures()[i]);
+    saved_ = true;
+    for (std::size_t window = 0; window < own_.size(); ++window) {
+      projectors_.replace(window, pictures_.pictures()[own_[window]]);
     }
     reported_refusal_.clear();
     print_out("{}\n", message_);
@@ -156,14 +179,77 @@ void CalibrationWindow::renew() {
     renew_master();
   }
   renew_text();
+  publish();
 }
 
 bool CalibrationWindow::refine() {
   const std::optional<std::size_t> projector = pictures_.refine_mask();
-  if (projector) {
-    projectors_.replace(*projector, pictures_.pictures()[*projector]);
+  if (projector && window_of(*projector)) {
+    projectors_.replace(*window_of(*projector), pictures_.pictures()[*projector]);
   }
   return projector.has_value();
+}
+
+std::optional<std::size_t> CalibrationWindow::window_of(std::size_t projector) const {
+  const auto found = std::ranges::find(own_, projector);
+  return found == own_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - own_.begin()));
+}
+
+std::vector<ProjectorPicture> CalibrationWindow::own_pictures() const {
+  std::vector<ProjectorPicture> own;
+  for (const std::size_t i : own_) {
+    own.push_back(pictures_.pictures()[i]);
+  }
+  return own;
+}
+
+bool CalibrationWindow::needs_nodes(CalibrationAction action) const {
+  switch (action) {
+    case CalibrationAction::none:
+    case CalibrationAction::next_pattern:
+    case CalibrationAction::previous_pattern:
+    case CalibrationAction::next_projector:
+    case CalibrationAction::previous_projector:
+    case CalibrationAction::hide_text:
+    case CalibrationAction::show_keys:
+      return false;
+    default:
+      // Nodes add changes to their own files, which lack those that were saved.
+      return host_ && saved_;
+  }
+}
+
+void CalibrationWindow::publish() {
+  if (!host_) {
+    return;
+  }
+  if (!saved_) {
+    const std::string setup = to_toml(state_.setup());
+    if (setup.size() > max_cluster_setup) {
+      throw Error(options_.setup, "is too long for nodes", "calibrate each computer by itself, without --cluster");
+    }
+    host_->master->set_calibration({0, setup, state_.offsets(), texts()});
+  }
+  ClusterFrame frame;
+  frame.pose.r = 1.0;
+  frame.pose.orientation = glm::dquat(1.0, 0.0, 0.0, 0.0);
+  frame.size_px = options_.master_px;
+  frame.projectors_px = options_.master_px;
+  const bool numbers = state_.pattern() + 1 == pattern_count();
+  frame.pattern = numbers ? ClusterPattern::projector_numbers : ClusterPattern::test_pattern;
+  frame.pattern_kind = state_.pattern();
+  host_->master->publish(std::move(frame));
+}
+
+void CalibrationWindow::advance_cluster() {
+  if (!host_) {
+    return;
+  }
+  // The windows here need not wait for the nodes: patterns stand still.
+  (void)host_->master->release();
+  for (const ClusterNews& news : host_->master->take_news()) {
+    print_note("{}", news.text);
+  }
 }
 
 std::string CalibrationWindow::pattern_name() const {
@@ -174,14 +260,14 @@ std::string CalibrationWindow::pattern_name() const {
 
 void CalibrationWindow::renew_master() {
   const bool numbers = state_.pattern() + 1 == pattern_count();
-  for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
+  for (std::size_t window = 0; window < own_.size(); ++window) {
     if (numbers) {
-      const ProjectorPicture& raster = pictures_.pictures()[i];
+      const ProjectorPicture& raster = pictures_.pictures()[own_[window]];
       const Picture page =
-          draw_projector_number(static_cast<int>(i) + 1, raster.name, raster.width_px, raster.height_px);
-      projectors_.set_raster(i, &page);
+          draw_projector_number(static_cast<int>(own_[window]) + 1, raster.name, raster.width_px, raster.height_px);
+      projectors_.set_raster(window, &page);
     } else {
-      projectors_.set_raster(i, nullptr);
+      projectors_.set_raster(window, nullptr);
     }
   }
   if (!numbers) {
@@ -193,9 +279,9 @@ void CalibrationWindow::renew_master() {
 bool CalibrationWindow::renew_projectors() {
   try {
     const bool masks = pictures_.follow(state_.setup(), state_.offsets());
-    for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
-      const ProjectorPicture& picture = pictures_.pictures()[i];
-      masks ? projectors_.replace(i, picture) : projectors_.change(i, picture);
+    for (std::size_t window = 0; window < own_.size(); ++window) {
+      const ProjectorPicture& picture = pictures_.pictures()[own_[window]];
+      masks ? projectors_.replace(window, picture) : projectors_.change(window, picture);
     }
     return true;
   } catch (const Error& problem) {
@@ -205,13 +291,22 @@ bool CalibrationWindow::renew_projectors() {
   }
 }
 
-void CalibrationWindow::renew_text() {
+std::vector<std::string> CalibrationWindow::texts() const {
   const std::string adjusted =
       state_.text() + "\npattern: " + pattern_name() + "   F1: keys" + (message_.empty() ? "" : "\n" + message_) +
       (state_.keys_shown() && !projectors_.control_shown() ? "\n\n" + calibration_key_lines("") : "");
+  std::vector<std::string> texts;
   for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
     const std::string other = fmt::format("{}: {}", i + 1, pictures_.pictures()[i].name);
-    projectors_.set_text(i, !state_.text_shown() ? "" : i == state_.projector() ? adjusted : other);
+    texts.push_back(!state_.text_shown() ? "" : i == state_.projector() ? adjusted : other);
+  }
+  return texts;
+}
+
+void CalibrationWindow::renew_text() {
+  const std::vector<std::string> all = texts();
+  for (std::size_t window = 0; window < own_.size(); ++window) {
+    projectors_.set_text(window, all[own_[window]]);
   }
   const bool on_control = projectors_.control_shown();
   window_.make_current();

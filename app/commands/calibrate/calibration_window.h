@@ -3,11 +3,13 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/commands/calibrate/calibration_keys.h"
 #include "app/commands/calibrate/live_calibration.h"
+#include "app/player/cluster_gate.h"
 #include "calibration/projectors/dome_pictures.h"
 #include "render/present/presenter.h"
 #include "render/present/projectors/projector_windows.h"
@@ -22,6 +24,7 @@ struct LiveOptions {
   //! Width of the domemaster of test patterns; 0: sufficient for the projectors.
   int master_px = 0;
   bool hide_control = false;
+  bool cluster = false;      //!< nodes show their projectors' part
   double for_seconds = 0.0;  //!< closes the windows after this time; 0: when a user closes them
   //! Last contents of the windows, as FILE_PROJECTOR.png for FILE.png; empty: none.
   std::string screenshot;
@@ -56,12 +59,24 @@ class CalibrationWindow {
   bool renew_projectors();
   void renew_text();
   void draw();
+  //! Sends the pattern and the changes to the nodes.
+  void publish();
+  void advance_cluster();
+  //! Returns whether an action would change what was saved, although the nodes do not have it yet.
+  [[nodiscard]] bool needs_nodes(CalibrationAction action) const;
+  //! Returns the index of a projector among those of this computer, if it is one.
+  [[nodiscard]] std::optional<std::size_t> window_of(std::size_t projector) const;
+  [[nodiscard]] std::vector<ProjectorPicture> own_pictures() const;
+  [[nodiscard]] std::vector<std::string> texts() const;
   [[nodiscard]] std::string pattern_name() const;
 
   LiveOptions options_;
   int drawn_px_ = 0;  //!< width of the domemaster that the next pattern is drawn at
   LiveCalibration state_;
   DomePictures pictures_;
+  std::vector<std::size_t> own_;  //!< indices of this computer's projectors
+  std::optional<ClusterHost> host_;
+  bool saved_ = false;
   Window window_;
   Presenter presenter_;
   TextPanel keys_panel_;

@@ -1,5 +1,6 @@
 #include "app/player/outputs/dome_output.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/cli/setup_show.h"
@@ -58,6 +59,24 @@ std::vector<WindowEvent> DomeOutput::events() {
   const std::vector<WindowEvent> others = projectors_.events();
   all.insert(all.end(), others.begin(), others.end());
   return all;
+}
+
+void DomeOutput::set_projectors(const std::vector<ProjectorPicture>& pictures) {
+  for (std::size_t i = 0; i < std::min(pictures.size(), names_.size()); ++i) {
+    projectors_.replace(i, pictures[i]);
+  }
+}
+
+void DomeOutput::set_rasters(const std::vector<Picture>& rasters) {
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    projectors_.set_raster(i, i < rasters.size() ? &rasters[i] : nullptr);
+  }
+}
+
+void DomeOutput::set_projector_texts(const std::vector<std::string>& texts) {
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    projectors_.set_text(i, i < texts.size() ? texts[i] : std::string());
+  }
 }
 
 void DomeOutput::save_screenshot(const std::string& file) {

@@ -32,6 +32,10 @@ class DomeOutput : public WindowOutput {
   [[nodiscard]] bool closed() const override { return WindowOutput::closed() || projectors_.closed(); }
   [[nodiscard]] bool is_dome() const override { return true; }
   [[nodiscard]] std::vector<WindowEvent> events() override;
+  void set_projectors(const std::vector<ProjectorPicture>& pictures) override;
+  void set_rasters(const std::vector<Picture>& rasters) override;
+  void set_projector_texts(const std::vector<std::string>& texts) override;
+  [[nodiscard]] std::string join_swap_group(bool joined) override { return projectors_.join_swap_group(joined); }
   //! Writes a screenshot of the control window to `file`, and FILE_PROJECTOR for each projector.
   void save_screenshot(const std::string& file) override;
 

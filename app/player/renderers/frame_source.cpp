@@ -76,10 +76,12 @@ void set_up(ShowRenderer& renderer, const PictureRequest& request) {
     quality.budget_px *= static_cast<double>(request.size_px) / request.whole_px;
     renderer.set_quality(quality);
   }
+  // Exposure does not adapt before a time that no clock reaches, and completely after one long ago.
+  constexpr double never_s = 1e12;
   if (request.followed_stops) {
-    // Exposure does not adapt before this time, which no clock reaches.
-    constexpr double never_s = 1e12;
     renderer.follow_from(*request.followed_stops, never_s);
+  } else if (request.adapts_at_once) {
+    renderer.follow_from(0.0, -never_s);
   }
   OverlayPass& overlays = renderer.overlays();
   overlays.set_language(frame.language);
@@ -226,6 +228,7 @@ PictureAnswer render_request(const PictureRequest& request) {
     show_own_eyes(renderer, request, moment, answer);
   }
   answer.reduced = renderer.reduced_baseline();
+  answer.followed_stops = renderer.followed_stops();
   if (request.errors_asked) {
     const auto begun = Clock::now();
     answer.errors_px = picture_errors(renderer, request, projection, moment);
@@ -243,6 +246,11 @@ PictureAnswer render_request(const PictureRequest& request) {
 }  // namespace
 
 PictureAnswer render_for_output(const PictureRequest& request) {
+  if (request.pattern) {
+    PictureAnswer answer;
+    answer.picture = request.pattern(request.size_px);
+    return answer;
+  }
   ShowRenderer& renderer = *request.renderer;
   set_up(renderer, request);
   if (!request.output.head) {

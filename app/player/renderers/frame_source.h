@@ -41,6 +41,10 @@ struct PictureRequest {
   //! Stops that automatic exposure keeps in this picture, because another computer follows the
   //! light; absent: it follows the light of the pictures.
   std::optional<double> followed_stops;
+  //! Automatic exposure adapts to this picture at once.
+  bool adapts_at_once = false;
+  //! Draws the picture of a width [px] in place of the show's; empty: the show's picture.
+  std::function<Picture(int)> pattern;
 };
 
 //! The part of a view's pixels that is brighter than black.
@@ -58,6 +62,7 @@ struct PictureAnswer : OutputFrame {
   std::optional<std::vector<double>> errors_px;
   std::optional<ViewLight> light;          //!< lit part of the view, if requested
   std::optional<ReducedBaseline> reduced;  //!< present if the requested baseline had to be reduced
+  std::optional<double> followed_stops;    //!< stops of automatic exposure in the picture, if the show has it
   double measuring_ms = 0.0;               //!< time of the measurements; not part of time_ms
   //! Why there is no picture; the last good one stays on the screen.
   std::string problem;

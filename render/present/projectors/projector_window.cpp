@@ -10,6 +10,7 @@
 
 #include "content/files/console.h"
 #include "kernels/core/error.h"
+#include "render/present/projectors/swap_group.h"
 
 namespace ergodome {
 
@@ -94,6 +95,8 @@ ProjectorWindow::~ProjectorWindow() { glfwDestroyWindow(state_->window); }
 void ProjectorWindow::make_current() { glfwMakeContextCurrent(state_->window); }
 
 void ProjectorWindow::swap() { glfwSwapBuffers(state_->window); }
+
+std::string ProjectorWindow::join_swap_group(bool joined) { return ergodome::join_swap_group(state_->window, joined); }
 
 bool ProjectorWindow::closed() const { return glfwWindowShouldClose(state_->window) == GLFW_TRUE; }
 

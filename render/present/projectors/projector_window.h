@@ -30,6 +30,8 @@ class ProjectorWindow {
   //! Makes the window's OpenGL context current.
   void make_current();
   void swap();
+  //! Calls join_swap_group(); the window's context must be current.
+  [[nodiscard]] std::string join_swap_group(bool joined);
   [[nodiscard]] bool closed() const;
 
   //! Returns the input events of this window since the last call. Window::events() of any window

@@ -92,7 +92,10 @@ ProjectorWindows::ProjectorWindows(Window& control, const DomeSetup& setup,
     control.hide();
   }
   control.make_current();
-  control.swap_at_once();
+  if (!pictures.empty()) {
+    // The first projector's window waits for its display instead.
+    control.swap_at_once();
+  }
   state_->light = std::make_unique<DisplayLight>();
   if (draws_in_software() && use == WarpUse::fixed) {
     state_->software = std::make_unique<SoftwareProjectors>(pictures);
@@ -327,6 +330,17 @@ void ProjectorWindows::set_raster(std::size_t projector, const Picture* raster) 
     screen.raster->upload(*raster);
   }
   state_->control.make_current();
+}
+
+std::string ProjectorWindows::join_swap_group(bool joined) {
+  std::string problem;
+  for (const Screen& screen : state_->screens) {
+    screen.window->make_current();
+    const std::string one = screen.window->join_swap_group(joined);
+    problem = problem.empty() ? one : problem;
+  }
+  state_->control.make_current();
+  return problem;
 }
 
 std::vector<WindowEvent> ProjectorWindows::events() {

@@ -59,6 +59,10 @@ class ProjectorWindows {
   //! Shows a raster instead of a projector's image of the domemaster; nullptr ends this.
   void set_raster(std::size_t projector, const Picture* raster);
 
+  //! Lets the windows join the swap group of a dome of several computers, or leave it. Returns why
+  //! that is not possible; otherwise an empty text.
+  [[nodiscard]] std::string join_swap_group(bool joined);
+
   //! Returns the input events of the windows since the last call.
   std::vector<WindowEvent> events();
 

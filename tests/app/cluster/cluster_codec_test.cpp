@@ -23,7 +23,9 @@ std::vector<ClusterMessage> one_of_each_kind() {
           ClusterRefused{"another show"},
           ClusterReady{17, 12.5},
           ClusterSwap{18},
-          ClusterHeartbeat{42, 0.5, true}};
+          ClusterHeartbeat{42, 0.5, true},
+          test::some_texts(),
+          test::some_calibration()};
 }
 
 TEST(ClusterMessages, SurviveARoundTrip) {
@@ -63,6 +65,32 @@ TEST(ClusterMessages, KeepEveryMemberOfAFrame) {
   EXPECT_EQ(frame.size_px, 4096);
   EXPECT_EQ(frame.projectors_px, 5000);
   EXPECT_EQ(frame.quality, sent.quality);
+  EXPECT_TRUE(frame.attract);
+  EXPECT_EQ(frame.texts_opacity, 0.75);
+  EXPECT_EQ(frame.texts, 3U);
+  EXPECT_EQ(frame.pattern, ClusterPattern::test_pattern);
+  EXPECT_EQ(frame.pattern_kind, 4);
+  EXPECT_EQ(frame.calibration, 5U);
+}
+
+TEST(ClusterMessages, KeepCaptionsAndCalibrations) {
+  const ClusterTexts texts = test::some_texts();
+  const auto captions = std::get<ClusterTexts>(*decode_cluster(encode_cluster(texts))).captions;
+  ASSERT_EQ(captions.size(), 2U);
+  EXPECT_EQ(captions[0].text, texts.captions[0].text);
+  EXPECT_EQ(captions[0].position, texts.captions[0].position);
+  EXPECT_EQ(captions[0].color, texts.captions[0].color);
+  const ClusterCalibration sent = test::some_calibration();
+  const auto read = std::get<ClusterCalibration>(*decode_cluster(encode_cluster(sent)));
+  EXPECT_EQ(read.setup, sent.setup);
+  EXPECT_EQ(read.offsets, sent.offsets);
+  EXPECT_EQ(read.texts, sent.texts);
+  ClusterCalibration far = sent;
+  far.offsets[1].right[4] = 0.5;
+  EXPECT_FALSE(decode_cluster(encode_cluster(far)));
+  far = sent;
+  far.offsets[1].points = 4;
+  EXPECT_FALSE(decode_cluster(encode_cluster(far)));
 }
 
 TEST(ClusterMessages, FitIntoAKilobyte) {

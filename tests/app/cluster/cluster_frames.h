@@ -28,7 +28,29 @@ inline ClusterFrame full_frame() {
   frame.size_px = 4096;
   frame.projectors_px = 5000;
   frame.quality = ClusterQuality{0.5, 2, SkyFilter::point, 2048};
+  frame.attract = true;
+  frame.texts_opacity = 0.75;
+  frame.texts = 3;
+  frame.pattern = ClusterPattern::test_pattern;
+  frame.pattern_kind = 4;
+  frame.calibration = 5;
   return frame;
+}
+
+//! Returns captions of two lines.
+inline ClusterTexts some_texts() {
+  Caption caption;
+  caption.position = {10.0, -20.0, 30.0};
+  caption.color = {0.5, 0.25, 0.0};
+  caption.text = {{"", "Welcome\nto the hole"}};
+  return {4, {caption, Caption()}};
+}
+
+//! Returns a calibration of two projectors.
+inline ClusterCalibration some_calibration() {
+  GridOffsets offsets = GridOffsets().resized(3);
+  offsets.move(4, 0.01, -0.02);
+  return {6, "[dome]\nradius_m = 5\n", {GridOffsets(), offsets}, {"1: north", ""}};
 }
 
 //! Returns a frame with a plain pose on the path of a show.

@@ -61,11 +61,30 @@ TEST(ClusterFrames, LetTwoComputersRenderTheSameRequest) {
   EXPECT_EQ(there.patience_s, here.patience_s);
 }
 
+TEST(ClusterFrames, ShowAPictureWithTheStopsOfTheMaster) {
+  PictureAnswer answer;
+  answer.picture.tone.gain = 8.0F;
+  answer.right_eye.emplace().tone.gain = 8.0F;
+  show_with_stops(2.0, answer);
+  EXPECT_EQ(answer.picture.tone.gain, 8.0F) << "the show has no automatic exposure";
+  answer.followed_stops = 3.0;
+  show_with_stops(2.0, answer);
+  EXPECT_FLOAT_EQ(answer.picture.tone.gain, 4.0F);
+  EXPECT_FLOAT_EQ(answer.right_eye->tone.gain, 4.0F);
+  EXPECT_EQ(answer.followed_stops, 2.0);
+}
+
+TEST(ClusterFrames, SendCaptionsInOneLanguage) {
+  Caption caption;
+  caption.text = {{"en", "Welcome"}, {"de", "Willkommen"}};
+  EXPECT_EQ(in_language({caption}, "de").at(0).text, (LocalText{{"", "Willkommen"}}));
+}
+
 class ClusterFingerprints : public test::FolderTest {
  protected:
   [[nodiscard]] Show show_with(const std::string& sky, const ShowSettings& settings = {}) const {
     std::ofstream(folder_ / "sky.ppm", std::ios::binary) << sky;
-    std::ofstream(folder_ / "show.toml") << "title = \"T\"\n[camera]\nr = 20\n[sky]\nmap = \"sky.ppm\"\n";
+    std::ofstream(folder_ / "show.toml") << "title = \"T\"\n[[camera.key]]\nr = 20\n[sky]\nmap = \"sky.ppm\"\n";
     return load_show((folder_ / "show.toml").string(), settings);
   }
 };
@@ -74,12 +93,12 @@ TEST_F(ClusterFingerprints, DifferIfTheShowOrItsFilesDo) {
   const std::string one = "P6 2 1 255\nabcdef";
   const std::string other = "P6 2 1 255\nabcdeg";
   const Show show = show_with(one);
-  EXPECT_EQ(show_fingerprint(show), show_fingerprint(show_with(one)));
-  EXPECT_NE(show_fingerprint(show), show_fingerprint(show_with(one, {"hole.spin=0.5"})));
-  const std::string content = content_fingerprint(show);
-  EXPECT_EQ(content, content_fingerprint(show_with(one)));
-  EXPECT_NE(content, content_fingerprint(show_with(other)));
-  EXPECT_EQ(show_fingerprint(show), show_fingerprint(show_with(other)));
+  EXPECT_EQ(fingerprint_of_shows({show}), fingerprint_of_shows({show_with(one)}));
+  EXPECT_NE(fingerprint_of_shows({show}), fingerprint_of_shows({show_with(one, {"hole.spin=0.5"})}));
+  const std::string content = fingerprint_of_contents({show});
+  EXPECT_EQ(content, fingerprint_of_contents({show_with(one)}));
+  EXPECT_NE(content, fingerprint_of_contents({show_with(other)}));
+  EXPECT_EQ(fingerprint_of_shows({show}), fingerprint_of_shows({show_with(other)}));
 }
 
 TEST(ClusterProjectors, AreThoseOfTheNode) {

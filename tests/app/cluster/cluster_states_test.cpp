@@ -24,6 +24,7 @@ class ClusterStates : public testing::Test {
     test::FakeNetwork::Node channel;
     ClusterNode node;
     std::optional<std::uint64_t> rendered;  //!< number of the last frame
+    std::optional<ClusterFrame> frame;      //!< the last one
     std::optional<std::uint64_t> shown;
     bool slow = false;     //!< renders nothing
     bool stopped = false;  //!< does nothing at all
@@ -53,6 +54,7 @@ class ClusterStates : public testing::Test {
       }
       if (const auto work = each->node.take_work(); work && !work->runs_on) {
         each->rendered = work->frame.number;
+        each->frame = work->frame;
         each->node.report_ready(work->frame.number, 10.0);
       }
       if (each->rendered && each->node.may_show(*each->rendered)) {
@@ -325,24 +327,87 @@ TEST_F(ClusterStates, DropAndCountMalformedMessages) {
 }
 
 TEST_F(ClusterStates, FormASwapGroupWhenAllHaveDrawn) {
+  sync_ = SwapSync::nv_swap_group;
+  start_master(1);
   Computer& north = add("north");
   Computer& south = add("south");
   pass(0.3);
-  EXPECT_FALSE(master_->all_have_drawn(3));
-  for (int i = 0; i < 4; ++i) {
+  show_frame();
+  pass(0.1);
+  EXPECT_FALSE(north.node.group_wanted()) << "the first frames are irregular";
+  for (int i = 0; i < 70; ++i) {
     show_frame();
-    pass(0.05);
   }
-  EXPECT_TRUE(master_->all_have_drawn(3));
-  master_->group();
   pass(0.1);
   EXPECT_TRUE(north.node.group_wanted());
+  (void)master_->take_news();
   north.node.set_grouped(true);
   pass(0.1);
-  EXPECT_FALSE(master_->all_grouped());
+  EXPECT_TRUE(master_->take_news().empty());
   south.node.set_grouped(true);
   pass(0.1);
-  EXPECT_TRUE(master_->all_grouped());
+  EXPECT_THAT(master_->take_news().at(0).text, HasSubstr("all nodes have joined the swap group"));
+  south.slow = true;
+  show_frame();
+  pass(0.1);
+  EXPECT_EQ(report(1).state, NodeState::behind);
+  EXPECT_TRUE(north.node.group_wanted()) << "late nodes stay in the group";
+  network_.cut.insert("south");
+  pass(2.2);
+  EXPECT_FALSE(north.node.group_wanted()) << "swaps would wait for a lost node";
+}
+
+TEST_F(ClusterStates, WithoutASwapGroupWantNone) {
+  Computer& north = add("north");
+  add("south");
+  pass(0.3);
+  for (int i = 0; i < 70; ++i) {
+    show_frame();
+  }
+  pass(0.1);
+  EXPECT_FALSE(north.node.group_wanted());
+}
+
+TEST_F(ClusterStates, SendCaptionsToThoseWhoJoinLaterToo) {
+  Computer& north = add("north");
+  pass(0.3);
+  Caption welcome;
+  welcome.text = {{"", "Welcome"}};
+  master_->set_texts({welcome});
+  ClusterFrame frame = plain_frame();
+  frame.texts_opacity = 0.5;
+  show_frame(frame);
+  Computer& south = add("south");
+  pass(0.4);
+  for (const Computer* const each : {&north, &south}) {
+    ASSERT_TRUE(each->frame);
+    const std::vector<Caption> captions = each->node.captions_of(*each->frame);
+    ASSERT_EQ(captions.size(), 1U);
+    EXPECT_EQ(captions[0].text.at(""), "Welcome");
+    EXPECT_EQ(each->frame->texts_opacity, 0.5);
+  }
+  master_->set_texts({});
+  show_frame();
+  EXPECT_TRUE(north.node.captions_of(*north.frame).empty());
+}
+
+TEST_F(ClusterStates, SendTheCalibration) {
+  Computer& north = add("north");
+  pass(0.3);
+  master_->set_calibration({0, "[dome]", {GridOffsets()}, {"adjusted"}});
+  show_frame();
+  ASSERT_TRUE(north.node.calibration());
+  EXPECT_EQ(north.frame->calibration, north.node.calibration()->version);
+  EXPECT_EQ(north.node.calibration()->texts.at(0), "adjusted");
+}
+
+TEST_F(ClusterStates, WithoutAShowOfTheMasterAcceptAnyShow) {
+  master_ = std::make_unique<ClusterMaster>(
+      channel_, ClusterMaster::Settings{{"0.2.0", "", "", "setup"}, sync_, {"north", "south"}, 1},
+      [this] { return network_.now_s; });
+  add("north");
+  pass(0.3);
+  EXPECT_EQ(report(0).state, NodeState::joining);
 }
 
 }  // namespace
