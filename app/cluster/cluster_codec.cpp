@@ -30,6 +30,7 @@ class ClusterWriter {
   void choice(Choice& value, int /*count*/) {
     whole(static_cast<std::uint8_t>(value));
   }
+  void raw(const std::string& value, std::size_t longest) { text(value, longest); }
   //! A text that may have several lines.
   void lines(const std::string& value, std::size_t longest) { text(value, longest); }
   void text(const std::string& value, std::size_t longest) {
@@ -97,6 +98,7 @@ class ClusterReader {
     bytes(value, longest);
     check(std::ranges::none_of(value, is_control));
   }
+  void raw(std::string& value, std::size_t longest) { bytes(value, longest); }
   void lines(std::string& value, std::size_t longest) {
     bytes(value, longest);
     check(std::ranges::none_of(value, [](char c) { return is_control(c) && c != '\n' && c != '\t'; }));
@@ -320,6 +322,44 @@ void pass_cluster(Coder& coder, ClusterCalibration& calibration) {
   for (std::string& text : calibration.texts) {
     coder.lines(text, max_cluster_reason);
   }
+}
+
+//! Passes the key of a file, which is a part of a file name.
+template <class Coder>
+void pass_cluster_key(Coder& coder, std::string& key) {
+  coder.text(key, max_cluster_name);
+  coder.check(!key.empty() && std::ranges::all_of(key, [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || c == '-';
+  }));
+}
+
+template <class Coder>
+void pass_cluster(Coder& coder, ClusterOffer& offer) {
+  coder.size(offer.files, max_cluster_files);
+  for (ClusterOffer::File& file : offer.files) {
+    coder.text(file.name, max_cluster_file_name);
+    pass_cluster_key(coder, file.key);
+    coder.count(file.bytes);
+  }
+  coder.size(offer.shows, 2);
+  coder.check(!offer.shows.empty());
+  for (std::uint16_t& show : offer.shows) {
+    coder.integer(show, 0, 0xffff);
+    coder.check(show < offer.files.size());
+  }
+}
+
+template <class Coder>
+void pass_cluster(Coder& coder, ClusterWanted& wanted) {
+  pass_cluster_key(coder, wanted.key);
+  coder.count(wanted.offset);
+}
+
+template <class Coder>
+void pass_cluster(Coder& coder, ClusterChunk& chunk) {
+  pass_cluster_key(coder, chunk.key);
+  coder.count(chunk.offset);
+  coder.raw(chunk.bytes, max_cluster_chunk);
 }
 
 template <std::size_t kind = 0>

@@ -47,7 +47,7 @@ std::string cluster_difference(const ClusterIdentity& here, const ClusterIdentit
 }
 
 const char* node_state_name(NodeState state) {
-  constexpr const char* names[] = {"absent", "refused", "joining", "joined", "behind", "lost"};
+  constexpr const char* names[] = {"absent", "refused", "fetching", "joining", "joined", "behind", "lost"};
   return names[static_cast<int>(state)];
 }
 
@@ -68,6 +68,9 @@ void ClusterMaster::poll() {
   }
   const double now_s = clock_();
   for (auto& [name, node] : nodes_) {
+    if (node.report.state == NodeState::lost) {
+      probe(node);
+    }
     if (!takes_part(node)) {
       continue;
     }
@@ -80,6 +83,17 @@ void ClusterMaster::poll() {
   form_group();
   if (now_s - beat_s_ >= cluster_heartbeat_s) {
     beat();
+  }
+}
+
+void ClusterMaster::probe(Node& node) {
+  constexpr double heard_lately_s = 0.5;
+  constexpr double probe_again_s = 0.25;
+  const double now_s = clock_();
+  // The node answers a frame when it can render again. Frames that it was sent before may be lost.
+  if (frame_ && now_s - node.heard_s < heard_lately_s && now_s - node.asked_s > probe_again_s) {
+    node.asked_s = now_s;
+    send(node.peer, *frame_);
   }
 }
 
@@ -109,7 +123,11 @@ void ClusterMaster::take(const MasterChannel::Received& received) {
     return;
   }
   node->heard_s = clock_();
-  if (const auto* const ready = std::get_if<ClusterReady>(&*message)) {
+  if (const auto* const wanted = std::get_if<ClusterWanted>(&*message)) {
+    if (const auto chunk = read_content_ ? read_content_(*wanted) : std::nullopt) {
+      send(received.peer, *chunk);
+    }
+  } else if (const auto* const ready = std::get_if<ClusterReady>(&*message)) {
     note_ready(*node, *ready);
   } else if (const auto* const heartbeat = std::get_if<ClusterHeartbeat>(&*message)) {
     node->grouped = heartbeat->grouped;
@@ -136,11 +154,18 @@ void ClusterMaster::greet(const ClusterHello& hello, const std::string& peer) {
   node.heard_s = clock_();
   if (const std::string difference = cluster_difference(settings_.identity, hello.identity); !difference.empty()) {
     const std::string before = std::exchange(node.report.problem, difference);
-    if (node.report.state != NodeState::refused || before != difference) {
-      news_.push_back({true, fmt::format("node {} was refused: it has {}", hello.node, difference)});
+    if (before != difference) {
+      news_.push_back({true, may_fetch(hello.identity)
+                                 ? fmt::format("node {} gets the files of the show: it has {}", hello.node, difference)
+                                 : fmt::format("node {} was refused: it has {}", hello.node, difference)});
     }
     node.report.state = NodeState::refused;
     node.awaited = false;
+    if (may_fetch(hello.identity)) {
+      node.report.state = NodeState::fetching;
+      send(peer, *offer_);
+      return;
+    }
     send(peer, ClusterRefused{fmt::format("this node has {}", difference)});
     return;
   }
@@ -186,7 +211,14 @@ void ClusterMaster::rejoin(Node& node) {
   welcome(node);
 }
 
+bool ClusterMaster::may_fetch(const ClusterIdentity& identity) const {
+  return offer_ && identity.version == settings_.identity.version && identity.setup == settings_.identity.setup;
+}
+
 void ClusterMaster::note_ready(Node& node, const ClusterReady& ready) {
+  if (!takes_part(node) && node.report.state != NodeState::lost) {
+    return;
+  }
   double& usual_ms = node.report.frame_ms;
   usual_ms = usual_ms > 0.0 ? (1.0 - newest_weight) * usual_ms + newest_weight * ready.frame_ms : ready.frame_ms;
   node.ready = std::max(node.ready, std::min(ready.number, number_));
@@ -318,6 +350,11 @@ void ClusterMaster::set_calibration(ClusterCalibration calibration) {
   calibration.version = calibration_ ? calibration_->version + 1 : 1;
   calibration_ = std::move(calibration);
   send_to_all(*calibration_);
+}
+
+void ClusterMaster::set_offer(std::optional<ClusterOffer> offer, ReadContent read) {
+  offer_ = std::move(offer);
+  read_content_ = std::move(read);
 }
 
 void ClusterMaster::set_show(const std::string& show, const std::string& content) {

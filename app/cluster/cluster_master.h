@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,12 +14,13 @@ namespace ergodome {
 
 //! State of a node, for operators.
 enum class NodeState {
-  absent,   //!< was never heard
-  refused,  //!< has another version, show, content or setup
-  joining,  //!< has not yet rendered its first frame
-  joined,   //!< is waited for
-  behind,   //!< was late, shows frames when it has them, and is not waited for
-  lost      //!< is silent, or has rendered nothing for two seconds
+  absent,    //!< was never heard
+  refused,   //!< has another version, show, content or setup
+  fetching,  //!< gets the files of the show
+  joining,   //!< has not yet rendered its first frame
+  joined,    //!< is waited for
+  behind,    //!< was late, shows frames when it has them, and is not waited for
+  lost       //!< is silent, or has rendered nothing for two seconds
 };
 
 struct NodeReport {
@@ -69,6 +71,11 @@ class ClusterMaster {
   //! Sets the state of the dome's calibration for the next frames. The version is chosen here.
   void set_calibration(ClusterCalibration calibration);
 
+  //! Offers the files of the show to nodes that have another show or other contents. `read` returns
+  //! the bytes that a node asks for, or nothing.
+  using ReadContent = std::function<std::optional<ClusterChunk>(const ClusterWanted&)>;
+  void set_offer(std::optional<ClusterOffer> offer, ReadContent read);
+
   //! Continues with another version of the show. Nodes must prove that they have it too.
   void set_show(const std::string& show, const std::string& content);
 
@@ -97,10 +104,14 @@ class ClusterMaster {
   };
 
   void take(const MasterChannel::Received& received);
+  //! Returns whether a node with another show can get the master's.
+  [[nodiscard]] bool may_fetch(const ClusterIdentity& identity) const;
   void greet(const ClusterHello& hello, const std::string& peer);
   void note_ready(Node& node, const ClusterReady& ready);
   void welcome(Node& node);
   void form_group();
+  //! Sends the last frame to a lost node that is heard.
+  void probe(Node& node);
   void lose(Node& node, bool silent, const std::string& why);
   void rejoin(Node& node);
   void send(const std::string& peer, const ClusterMessage& message);
@@ -116,6 +127,8 @@ class ClusterMaster {
   ClusterClock clock_;
   std::map<std::string, Node> nodes_;  //!< by name
   std::optional<ClusterFrame> frame_;  //!< last frame
+  std::optional<ClusterOffer> offer_;
+  ReadContent read_content_;
   std::optional<ClusterTexts> texts_;
   std::optional<ClusterCalibration> calibration_;
   std::uint64_t number_ = 0;

@@ -126,8 +126,33 @@ struct ClusterCalibration {
   std::vector<std::string> texts;    //!< shown on each projector
 };
 
-using ClusterMessage = std::variant<ClusterFrame, ClusterHello, ClusterWelcome, ClusterRefused, ClusterReady,
-                                    ClusterSwap, ClusterHeartbeat, ClusterTexts, ClusterCalibration>;
+//! The files of the master's shows, for nodes that lack some.
+struct ClusterOffer {
+  struct File {
+    std::string name;         //!< relative to a folder of the node's choice
+    std::string key;          //!< distinguishes its content from that of others
+    std::uint64_t bytes = 0;  //!< size
+  };
+  std::vector<File> files;
+  std::vector<std::uint16_t> shows;  //!< indices of the shows' own files
+};
+
+//! A node asks for bytes of a file, from an offset on.
+struct ClusterWanted {
+  std::string key;
+  std::uint64_t offset = 0;
+};
+
+//! Bytes of a file.
+struct ClusterChunk {
+  std::string key;
+  std::uint64_t offset = 0;
+  std::string bytes;
+};
+
+using ClusterMessage =
+    std::variant<ClusterFrame, ClusterHello, ClusterWelcome, ClusterRefused, ClusterReady, ClusterSwap,
+                 ClusterHeartbeat, ClusterTexts, ClusterCalibration, ClusterOffer, ClusterWanted, ClusterChunk>;
 
 //! Maximum size of a message [bytes].
 inline constexpr std::size_t max_cluster_message = 256 * 1024;
@@ -137,6 +162,10 @@ inline constexpr std::size_t max_cluster_name = 64;
 inline constexpr std::size_t max_cluster_reason = 600;
 inline constexpr std::size_t max_cluster_caption = 4000;
 inline constexpr std::size_t max_cluster_setup = 60'000;
+inline constexpr std::size_t max_cluster_file_name = 300;
+inline constexpr std::size_t max_cluster_chunk = 60'000;
+//! Maximum number of files of the shows.
+inline constexpr std::size_t max_cluster_files = 500;
 //! Maximum numbers of captions, and of projectors in a calibration.
 inline constexpr std::size_t max_cluster_captions = 8;
 inline constexpr std::size_t max_cluster_projectors = 64;

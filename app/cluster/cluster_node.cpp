@@ -38,7 +38,7 @@ void ClusterNode::poll() {
     reported_silence_ = true;
     news_.push_back({true, "the master is silent; the last picture stays until it is back"});
   }
-  if (state_ != State::joined && !show_wanted_ &&
+  if (state_ != State::joined && state_ != State::fetching && !show_wanted_ &&
       now_s - asked_s_ >= (state_ == State::refused ? ask_again_refused_s : ask_again_s)) {
     ask_to_join(now_s);
   }
@@ -65,7 +65,9 @@ void ClusterNode::take(const ClusterMessage& message, double now_s) {
   } else if (const auto* const heartbeat = std::get_if<ClusterHeartbeat>(&message)) {
     light_ = heartbeat->light;
     group_wanted_ = heartbeat->grouped;
-    if (state_ == State::joined && heartbeat->session != session_) {
+    const std::uint64_t before = std::exchange(heard_session_, heartbeat->session);
+    const bool another = before != 0 && before != heartbeat->session;
+    if ((state_ == State::joined && heartbeat->session != session_) || (state_ == State::fetching && another)) {
       // The master was started again.
       state_ = State::connecting;
       ask_to_join(now_s);
@@ -88,6 +90,13 @@ void ClusterNode::take(const ClusterMessage& message, double now_s) {
     texts_ = *texts;
   } else if (const auto* const calibration = std::get_if<ClusterCalibration>(&message)) {
     calibration_ = *calibration;
+  } else if (const auto* const offer = std::get_if<ClusterOffer>(&message)) {
+    if (state_ != State::fetching) {
+      state_ = State::fetching;
+      offer_ = *offer;
+    }
+  } else if (const auto* const chunk = std::get_if<ClusterChunk>(&message)) {
+    chunks_.push_back(*chunk);
   } else if (const auto* const refused = std::get_if<ClusterRefused>(&message)) {
     state_ = State::refused;
     if (std::exchange(refusal_, refused->reason) != refused->reason) {
@@ -133,6 +142,15 @@ std::optional<ClusterNode::Work> ClusterNode::take_work() {
 
 std::vector<Caption> ClusterNode::captions_of(const ClusterFrame& frame) const {
   return frame.texts != 0 && frame.texts == texts_.version ? texts_.captions : std::vector<Caption>();
+}
+
+void ClusterNode::stop_fetching(const std::string& why) {
+  state_ = State::refused;
+  asked_s_ = clock_();
+  chunks_.clear();
+  if (std::exchange(refusal_, why) != why) {
+    news_.push_back({true, why});
+  }
 }
 
 void ClusterNode::report_ready(std::uint64_t number, double frame_ms) { send(ClusterReady{number, frame_ms}); }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/cluster/cluster_channel.h"
@@ -22,7 +23,7 @@ class ClusterNode {
     ClusterIdentity identity;
   };
 
-  enum class State { connecting, refused, joined };
+  enum class State { connecting, refused, fetching, joined };
 
   //! The channel must outlive this.
   ClusterNode(NodeChannel& channel, Settings settings, ClusterClock clock);
@@ -44,6 +45,15 @@ class ClusterNode {
   [[nodiscard]] std::vector<Caption> captions_of(const ClusterFrame& frame) const;
   //! Returns the state of the dome's calibration; nothing if there was none.
   [[nodiscard]] const std::optional<ClusterCalibration>& calibration() const { return calibration_; }
+
+  //! Returns the offer of the master's files that came since the last call. Until set_show(), the node
+  //! does not ask to join, unless it calls stop_fetching().
+  [[nodiscard]] std::optional<ClusterOffer> take_offer() { return std::exchange(offer_, std::nullopt); }
+  void ask_for(const ClusterWanted& wanted) { send(wanted); }
+  //! Returns the bytes of files that came since the last call.
+  [[nodiscard]] std::vector<ClusterChunk> take_chunks() { return std::exchange(chunks_, {}); }
+  //! Asks to join again some seconds later. `why`: for the log.
+  void stop_fetching(const std::string& why);
 
   //! Reports that a frame from the master was rendered.
   void report_ready(std::uint64_t number, double frame_ms);
@@ -80,10 +90,13 @@ class ClusterNode {
   Settings settings_;
   ClusterClock clock_;
   State state_ = State::connecting;
-  std::uint64_t session_ = 0;  //!< the master's run in which the node has joined; 0: none
+  std::uint64_t session_ = 0;        //!< the master's run in which the node has joined; 0: none
+  std::uint64_t heard_session_ = 0;  //!< of the last heartbeat
   SwapSync sync_ = SwapSync::barrier;
   std::optional<ClusterFrame> frame_;  //!< last frame from the master
   ClusterTexts texts_;
+  std::optional<ClusterOffer> offer_;
+  std::vector<ClusterChunk> chunks_;
   std::optional<ClusterCalibration> calibration_;
   double frame_s_ = 0.0;  //!< when it came
   bool taken_ = true;     //!< take_work() has returned it

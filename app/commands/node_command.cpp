@@ -68,15 +68,24 @@ void set_master(NodeOptions& options, const std::string& master, int usual_port)
   }
 }
 
-//! Reads the show of the command line and, in an exhibit, the attract show.
-std::vector<Show> shows_of(const NodeArguments& arguments, const DomeSetup& setup) {
+//! Reads shows: these files, or without any the show of the command line and, in an exhibit, the
+//! attract show.
+std::vector<Show> shows_of(const NodeArguments& arguments, const DomeSetup& setup,
+                           const std::vector<std::filesystem::path>& files) {
   const auto fitted = [&](const std::string& name) {
-    Show show = load_show(name, arguments.set);
+    Show show = load_show(name, files.empty() ? arguments.set : ShowSettings());
     fit_to_setup(show, setup);
     require_features(show);
     return show;
   };
-  std::vector<Show> shows = {fitted(arguments.show.empty() ? usual_visitor_show : arguments.show)};
+  std::vector<Show> shows;
+  for (const std::filesystem::path& file : files) {
+    shows.push_back(fitted(file.string()));
+  }
+  if (!files.empty() || (arguments.show.empty() && !arguments.exhibit)) {
+    return shows;
+  }
+  shows = {fitted(arguments.show.empty() ? usual_visitor_show : arguments.show)};
   if (arguments.exhibit) {
     shows.push_back(fitted(arguments.attract.empty() ? usual_attract_show(shows.front()) : arguments.attract));
   }
@@ -98,9 +107,8 @@ void run_node(const NodeArguments& arguments) {
     make_key_file(arguments.new_key);
     return;
   }
-  if ((arguments.show.empty() && !arguments.exhibit) || arguments.setup.empty() || arguments.master.empty()) {
-    throw UsageError("node", "needs a show, --setup and --master",
-                     "run ergodome node SHOW --setup dome.toml --master HOST");
+  if (arguments.setup.empty() || arguments.master.empty()) {
+    throw UsageError("node", "needs --setup and --master", "run ergodome node SHOW --setup dome.toml --master HOST");
   }
   NodeOptions options;
   options.name = arguments.name.empty() ? own_host_name() : arguments.name;
@@ -120,7 +128,9 @@ void run_node(const NodeArguments& arguments) {
                      "write node = \"" + options.name + "\" for the projectors of this computer, or give --name");
   }
   options.setup = whole;
-  options.load = [arguments, whole] { return shows_of(arguments, whole); };
+  options.load = [arguments, whole](const std::vector<std::filesystem::path>& files) {
+    return shows_of(arguments, whole, files);
+  };
   const Backend backend = choose_backend(arguments.without_windows ? "cpu" : arguments.backend);
   std::unique_ptr<DisplayOutput> output;
   if (arguments.without_windows) {
@@ -148,7 +158,7 @@ void run_node(const NodeArguments& arguments) {
 void add_node_command(CLI::App& app) {
   auto arguments = std::make_shared<NodeArguments>();
   CLI::App* command = app.add_subcommand("node", "Show a part of a dome together with other computers");
-  command->add_option("show", arguments->show, "the show that the master plays");
+  command->add_option("show", arguments->show, "the show that the master plays (default: from its --push-content)");
   add_set_option(*command, arguments->set);
   command->add_option("--master", arguments->master, "computer that runs play --cluster")->type_name("HOST[:PORT]");
   command->add_option("--setup", arguments->setup, "dome setup (.toml), the same as the master's")->type_name("FILE");

@@ -42,7 +42,8 @@ struct PlayArguments : ShowOverrides {
   std::string setup;
   std::optional<ProjectorOptions> projectors;  //!< projectors of the dome setup; empty without --setup
   bool hide_control = false;
-  bool cluster = false;   //!< nodes show the dome too
+  bool cluster = false;  //!< nodes show the dome too
+  bool push_content = false;
   std::string frame_log;  //!< file for FrameLog; empty: none
   bool headset = false;
   std::optional<double> headset_scale;  //!< replaces HeadsetSettings::scale
@@ -79,6 +80,9 @@ void use_setup(PlayArguments& arguments) {
   if (arguments.cluster) {
     arguments.options.cluster =
         std::make_shared<ClusterGate>(projectors.setup, projectors.master_px, arguments.frame_log);
+    if (arguments.push_content) {
+      arguments.options.cluster->push_content();
+    }
     keep_projectors_of(projectors, "");
   } else if (!node_names(projectors.setup).empty()) {
     print_note("{} names projectors at nodes; their windows open here too, because --cluster is not given",
@@ -286,6 +290,10 @@ void add_dome_options(CLI::App& command, PlayArguments& arguments, IgnoredOption
   CLI::Option* const cluster =
       command.add_flag("--cluster", arguments.cluster, "with --setup: show the dome together with its nodes")
           ->needs(setup);
+  command
+      .add_flag("--push-content", arguments.push_content,
+                "with --cluster: send files of the show to nodes that lack them")
+      ->needs(cluster);
   command.add_option("--frame-log", arguments.frame_log, "with --cluster: list the shown frames in this CSV file")
       ->type_name("FILE")
       ->needs(cluster);

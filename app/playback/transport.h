@@ -107,7 +107,7 @@ struct ChapterStatus {
 //! State of a node of a dome of several computers.
 struct NodeStatus {
   std::string name;
-  std::string state;      //!< "absent", "refused", "joining", "joined", "behind" or "lost"
+  std::string state;      //!< "absent", "refused", "fetching", "joining", "joined", "behind" or "lost"
   double frame_ms = 0.0;  //!< usual time in which it renders a frame
   long late_frames = 0;
   long lost = 0;        //!< how often it was lost

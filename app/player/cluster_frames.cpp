@@ -1,27 +1,13 @@
 #include "app/player/cluster_frames.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "app/playback/show_reload.h"
+#include "app/player/content_push.h"
 #include "content/files/fingerprint.h"
 #include "content/show/reading/show_reader.h"
 
 namespace ergodome {
-
-namespace {
-
-//! Returns what distinguishes the content of a file from that of others.
-std::string content_of(const std::filesystem::path& file) {
-  std::error_code problem;
-  const std::uintmax_t bytes = std::filesystem::file_size(file, problem);
-  const bool large = !problem && bytes > max_hashed_bytes;
-  return fmt::format("{}:{};", large ? bytes : 0,
-                     large ? fingerprint_of_start(file, max_hashed_bytes) : fingerprint_of_file(file));
-}
-
-}  // namespace
 
 ClusterFrame cluster_frame(const PictureRequest& request, double rate) {
   const PlayerFrame& frame = request.frame;
@@ -111,9 +97,11 @@ std::string fingerprint_of_contents(const std::vector<Show>& shows) {
     const std::filesystem::path own = file_of(show);
     for (const std::filesystem::path& file : files_of(own, show)) {
       if (file != own) {
-        all += content_of(file);
+        all += content_key(file) + ";";
       }
     }
+    // A baked trajectory beside the show changes pictures slightly.
+    all += content_key(std::filesystem::path(show.folder) / (show.name + ".trajectory")) + ";";
   }
   return fingerprint(all);
 }

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <random>
+#include <thread>
 #include <utility>
 
 #include "app/cluster/cluster_library.h"
 #include "app/player/cluster_frames.h"
+#include "app/player/content_push.h"
 #include "content/files/fingerprint.h"
 #include "kernels/core/error.h"
 
@@ -21,6 +23,12 @@ std::unique_ptr<MasterChannel> listen_for_nodes(const DomeSetup& setup) {
   const ClusterSetup& cluster = *setup.cluster;
   std::string problem;
   auto channel = cluster_library().listen(cluster.address, cluster.port, keys, problem);
+  // A master that has just crashed may still hold the port for a moment.
+  constexpr int most_attempts = 20;
+  for (int i = 0; i < most_attempts && !channel && problem.find("in use") != std::string::npos; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(250));
+    channel = cluster_library().listen(cluster.address, cluster.port, keys, problem);
+  }
   if (!channel) {
     throw Error("--cluster", fmt::format("cannot listen on {}:{}: {}", cluster.address, cluster.port, problem),
                 "correct address and port in [cluster] of the setup, or end the program that uses the port");
@@ -65,6 +73,11 @@ ClusterGate::ClusterGate(const DomeSetup& setup, int projectors_px, const std::s
 
 void ClusterGate::set_shows(const std::vector<Show>& shows) {
   host_.master->set_show(fingerprint_of_shows(shows), fingerprint_of_contents(shows));
+  if (pushes_) {
+    host_.master->set_offer(std::nullopt, {});
+    const auto source = std::make_shared<const ContentSource>(shows);
+    host_.master->set_offer(source->offer(), [source](const ClusterWanted& wanted) { return source->read(wanted); });
+  }
 }
 
 void ClusterGate::set_attract(bool attract) {

@@ -32,8 +32,11 @@ class ClusterGate : public PictureGate {
   //! empty. Throws Error if the keys cannot be read or the address cannot be used.
   ClusterGate(const DomeSetup& setup, int projectors_px, const std::string& frame_log);
 
+  //! Sends files of the shows to nodes that lack them.
+  void push_content() { pushes_ = true; }
+
   //! Continues with these versions of the shows: that of the command line and, in an exhibit, the
-  //! attract show.
+  //! attract show. Throws Error if files that must be sent cannot be.
   void set_shows(const std::vector<Show>& shows);
   //! Chooses which of both shows the next pictures are of.
   void set_attract(bool attract);
@@ -56,6 +59,7 @@ class ClusterGate : public PictureGate {
   ClusterHost host_;
   ClusterFrame frame_;  //!< last frame
   bool attract_ = false;
+  bool pushes_ = false;
   std::optional<double> finished_s_;  //!< when the picture that waits was finished
   std::optional<double> stops_;       //!< that automatic exposure chose for the last picture
   FrameLog log_;

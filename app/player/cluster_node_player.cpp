@@ -45,7 +45,7 @@ ClusterNodePlayer::~ClusterNodePlayer() = default;
 
 void ClusterNodePlayer::load() {
   const auto read_at = std::chrono::system_clock::now();
-  std::vector<Show> shows = options_.load();
+  std::vector<Show> shows = options_.load(pushed_);
   std::vector<std::shared_ptr<ShowRenderer>> renderers;
   std::vector<std::filesystem::path> files;
   for (const Show& show : shows) {
@@ -68,6 +68,7 @@ void ClusterNodePlayer::run() {
     node_->poll();
     report();
     reload_show();
+    fetch();
     start_next();
     show_released();
     follow_light();
@@ -110,9 +111,14 @@ void ClusterNodePlayer::start_next() {
     return;
   }
   show_released();
-  const std::size_t scene = std::min<std::size_t>(work->frame.attract ? 1 : 0, shows_.size() - 1);
   PictureRequest request;
-  request.renderer = renderers_[scene];
+  std::size_t scene = 0;
+  if (!shows_.empty()) {
+    scene = std::min<std::size_t>(work->frame.attract ? 1 : 0, shows_.size() - 1);
+    request.renderer = renderers_[scene];
+  } else if (work->frame.pattern == ClusterPattern::none) {
+    return;
+  }
   if (work->runs_on) {
     const double time_s = std::min(1e-9 * static_cast<double>(work->frame.time_ns), shows_[scene].duration_s);
     work->frame.time_ns = static_cast<std::int64_t>(1e9 * time_s);
@@ -200,6 +206,41 @@ void ClusterNodePlayer::follow_light() {
     events_s_ = now_s;
     // Keys do nothing on a node, but windows must handle their events.
     (void)output_->events();
+  }
+}
+
+void ClusterNodePlayer::fetch() {
+  try {
+    if (auto offer = node_->take_offer()) {
+      const std::filesystem::path folder = content_cache_folder();
+      if (folder.empty()) {
+        throw Error("files of the master", "cannot be kept without a home folder", "set HOME or XDG_CACHE_HOME");
+      }
+      cache_.emplace(folder, std::move(*offer));
+      print_note("gets {:.1f} MB of files from the master", 1e-6 * static_cast<double>(cache_->missing_bytes()));
+    }
+    if (!cache_) {
+      return;
+    }
+    for (const ClusterChunk& chunk : node_->take_chunks()) {
+      cache_->take(chunk);
+    }
+    while (const auto wanted = cache_->next(cluster_seconds())) {
+      node_->ask_for(*wanted);
+    }
+    if (!cache_->complete() || !source_.idle()) {
+      return;
+    }
+    std::vector<std::filesystem::path> files = cache_->arrange();
+    cache_.reset();
+    if (std::exchange(pushed_, files) == files) {
+      throw Error("files of the master", "are here, but this node's show still differs", "give both the same options");
+    }
+    load();
+    node_->set_show(options_.identity.show, options_.identity.content);
+  } catch (const std::exception& problem) {
+    cache_.reset();
+    node_->stop_fetching(problem.what());
   }
 }
 

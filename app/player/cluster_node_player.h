@@ -9,6 +9,7 @@
 #include "app/cluster/cluster_library.h"
 #include "app/cluster/cluster_node.h"
 #include "app/playback/show_reload.h"
+#include "app/player/content_push.h"
 #include "app/player/frame_log.h"
 #include "app/player/node_calibration.h"
 #include "app/player/renderers/frame_source.h"
@@ -28,9 +29,9 @@ struct NodeOptions {
   //! Returns the fingerprint of the projectors' images, for the log; may be empty.
   std::function<std::string()> images;
   DomeSetup setup;  //!< with the projectors of all computers
-  //! Reads the shows of the command line and fits them to the setup: the show and, in an exhibit,
-  //! the attract show.
-  std::function<std::vector<Show>()> load;
+  //! Reads shows and fits them to the setup: these files, or without any those of the command line
+  //! (the show and, in an exhibit, the attract show, or none).
+  std::function<std::vector<Show>(const std::vector<std::filesystem::path>&)> load;
 };
 
 //! Renders the frames that the master of a dome sends, and shows them together with the others.
@@ -56,6 +57,7 @@ class ClusterNodePlayer {
   void report();
   void load();
   void join_swap_group();
+  void fetch();
 
   struct Shown {
     ClusterNode::Work work;
@@ -68,6 +70,8 @@ class ClusterNodePlayer {
   std::vector<Show> shows_;
   std::vector<std::shared_ptr<ShowRenderer>> renderers_;  //!< of `shows_`
   NodeCalibration calibration_;
+  std::vector<std::filesystem::path> pushed_;  //!< shows from the master, which replace those of the command line
+  std::optional<ContentCache> cache_;          //!< while files come from the master
   FileWatch files_;
   std::unique_ptr<NodeChannel> channel_;
   std::optional<ClusterNode> node_;

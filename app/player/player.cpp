@@ -400,7 +400,12 @@ void Player::take_version(const Show& show) {
     exhibit_->renew(show);
   }
   if (options_.cluster) {
-    set_cluster_shows(show);
+    try {
+      set_cluster_shows(show);
+    } catch (const std::exception& problem) {
+      // The nodes that lack files of the new version are refused.
+      services_.report(spdlog::level::err, problem.what());
+    }
   }
   services_.report(spdlog::level::info, fmt::format("{} was reloaded", show.name));
 }

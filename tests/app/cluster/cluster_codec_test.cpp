@@ -25,7 +25,10 @@ std::vector<ClusterMessage> one_of_each_kind() {
           ClusterSwap{18},
           ClusterHeartbeat{42, 0.5, true},
           test::some_texts(),
-          test::some_calibration()};
+          test::some_calibration(),
+          ClusterOffer{{{"0/show.toml", "0-ab12", 5}, {"0/sky.exr", "1073741825-cd34", 1'073'741'825}}, {0}},
+          ClusterWanted{"0-ab12", 17},
+          ClusterChunk{"0-ab12", 17, std::string("\0\1x", 3)}};
 }
 
 TEST(ClusterMessages, SurviveARoundTrip) {

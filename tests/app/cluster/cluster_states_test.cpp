@@ -188,6 +188,26 @@ TEST_F(ClusterStates, LoseASilentNodeAndTakeItBackWithASnapshot) {
   EXPECT_EQ(report(1).rejoined, 1);
 }
 
+TEST_F(ClusterStates, TakeBackANodeThatLostMessages) {
+  add("north");
+  Computer& south = add("south");
+  pass(0.5);
+  show_frame();
+  pass(0.1);
+  network_.deaf.insert("south");
+  for (int i = 0; i < 50; ++i) {
+    show_frame();
+    pass(0.05);
+  }
+  EXPECT_EQ(report(1).state, NodeState::lost) << "it sends heartbeats but answers no frames";
+  network_.deaf.clear();
+  pass(0.5);
+  EXPECT_EQ(report(1).state, NodeState::joined) << "although it has answered all frames that it got";
+  show_frame();
+  pass(0.05);
+  EXPECT_EQ(south.shown, computers_[0]->shown);
+}
+
 TEST_F(ClusterStates, AcceptANodeThatWasStartedAgain) {
   add("north");
   add("south");
@@ -389,6 +409,52 @@ TEST_F(ClusterStates, SendCaptionsToThoseWhoJoinLaterToo) {
   master_->set_texts({});
   show_frame();
   EXPECT_TRUE(north.node.captions_of(*north.frame).empty());
+}
+
+TEST_F(ClusterStates, OfferFilesToNodesWithAnotherShow) {
+  const ClusterOffer offer{{{"0/show.toml", "0-ab", 5}}, {0}};
+  master_->set_offer(offer, [](const ClusterWanted& wanted) {
+    return ClusterChunk{wanted.key, wanted.offset, "bytes"};
+  });
+  ClusterIdentity other = same_identity;
+  other.show = "x";
+  Computer& north = add("north", other);
+  pass(0.3);
+  EXPECT_EQ(report(0).state, NodeState::fetching);
+  EXPECT_EQ(north.node.state(), ClusterNode::State::fetching);
+  ASSERT_EQ(north.node.take_offer()->files.at(0).key, "0-ab");
+  EXPECT_LT(show_frame(), 0.001) << "nobody waits for it";
+  north.node.ask_for({"0-ab", 0});
+  pass(0.1);
+  const std::vector<ClusterChunk> chunks = north.node.take_chunks();
+  ASSERT_EQ(chunks.size(), 1U);
+  EXPECT_EQ(chunks[0].bytes, "bytes");
+  north.node.set_show("show", "content");
+  pass(0.3);
+  show_frame();
+  pass(0.1);
+  EXPECT_EQ(report(0).state, NodeState::joined);
+
+  other = same_identity;
+  other.setup = "x";
+  Computer& south = add("south", other);
+  pass(0.3);
+  EXPECT_EQ(report(1).state, NodeState::refused) << "setups are not sent";
+  EXPECT_FALSE(south.node.take_offer());
+}
+
+TEST_F(ClusterStates, AskForTheOfferAgainWhenTheMasterWasStartedAgain) {
+  const ClusterOffer offer{{{"0/show.toml", "0-ab", 5}}, {0}};
+  ClusterIdentity other = same_identity;
+  other.show = "x";
+  master_->set_offer(offer, {});
+  Computer& north = add("north", other);
+  pass(0.3);
+  ASSERT_TRUE(north.node.take_offer());
+  start_master(2);
+  master_->set_offer(offer, {});
+  pass(1.0);
+  EXPECT_TRUE(north.node.take_offer());
 }
 
 TEST_F(ClusterStates, SendTheCalibration) {

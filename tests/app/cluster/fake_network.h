@@ -16,14 +16,15 @@ namespace ergodome::test {
 class FakeNetwork {
  public:
   double now_s = 100.0;
-  std::set<std::string> cut;  //!< peers whose messages get lost
-  bool master_gone = false;   //!< messages from and to the master get lost
+  std::set<std::string> cut;   //!< peers whose messages get lost
+  std::set<std::string> deaf;  //!< peers that get no messages
+  bool master_gone = false;    //!< messages from and to the master get lost
 
   class Master : public MasterChannel {
    public:
     explicit Master(FakeNetwork& network) : network_(network) {}
     void send(const std::string& peer, std::span<const std::byte> bytes) override {
-      if (!network_.master_gone && !network_.cut.contains(peer)) {
+      if (!network_.master_gone && !network_.cut.contains(peer) && !network_.deaf.contains(peer)) {
         network_.to_nodes_[peer].emplace_back(bytes.begin(), bytes.end());
       }
     }
