@@ -49,6 +49,37 @@ BENCHMARK_CAPTURE(dome_frame, image_order, ViewMode::image_order, LensChoice::di
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
+//! Measures domes with the camera of the show once-around, which moves on by one frame each time, so
+//! that each frame needs a new grid. Without stars; in processor time of all threads. The argument
+//! is the show time at which the frames start [s].
+void once_around(benchmark::State& state) {
+  const char* const text =
+      "duration_s = 100\n[hole]\nspin = 0.0\n[camera]\nobserver = \"zamo\"\n"
+      "[[camera.key]]\nt_s = 0\nr = 60\ntheta_deg = 85\nphi_deg = 0\npitch_deg = -25\n"
+      "[[camera.key]]\nt_s = 12\nr = 40\ntheta_deg = 85\nphi_deg = 4\npitch_deg = -25\n"
+      "[[camera.key]]\nt_s = 30\nr = 12\ntheta_deg = 86\nphi_deg = 30\npitch_deg = -25\n"
+      "[[camera.key]]\nt_s = 38\nr = 12\ntheta_deg = 86\nphi_deg = 50\npitch_deg = -25\n"
+      "[[camera.key]]\nt_s = 68\nr = 10\ntheta_deg = 88\nphi_deg = 390\npitch_deg = -25\n"
+      "[[camera.key]]\nt_s = 76\nr = 8\ntheta_deg = 90\nphi_deg = 410\npitch_deg = -25\n"
+      "[[camera.key]]\nt_s = 92\nr = 8\ntheta_deg = 90\nphi_deg = 440\npitch_deg = -25\n"
+      "[[camera.key]]\nt_s = 100\nr = 14\ntheta_deg = 88\nphi_deg = 450\npitch_deg = -25\n"
+      "[sky]\nmap = \"milky_way\"\n[view]\nprojection = \"dome\"\nfov_deg = 180\ntilt_deg = 30\n"
+      "[[animate]]\nnumber = \"hole.spin\"\nkey = [{ t_s = 74, value = 0.0, ease = \"in_out\" }, { t_s = 88, value = "
+      "0.999 }]\n";
+  ShowRenderer renderer(parse_show(text, "once-around.toml"), Backend::cpu);
+  const Projection projection = make_projection(renderer.show().view, 1024, 0.0);
+  int frame = static_cast<int>(state.range(0)) * 30;
+  for (auto _ : state) {
+    const double time_s = ++frame / 30.0;
+    renderer.apply(time_s);
+    const CameraPose pose = camera_pose(renderer.show(), time_s);
+    benchmark::DoNotOptimize(renderer.render_eye(pose, 0.0, projection, ViewMode::sky).rgba.data());
+  }
+  state.SetLabel(std::string(name_of(active_instruction_set())) + ", " + std::to_string(thread_count()) + " threads");
+}
+
+BENCHMARK(once_around)->Arg(20)->Arg(50)->Arg(95)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
 //! Measures frames with other settings of the sky filter; `more` contains lines of the [sky] table.
 //! The lens is read from an existing grid.
 void sky_look(benchmark::State& state, const char* more) {

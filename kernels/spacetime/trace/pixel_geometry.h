@@ -60,6 +60,18 @@ struct ViewedPixels {
 
   ERGO_HD ViewedPixels(const PixelBatch& batch, int index) : first(index * RealTraits<T>::lane_count) {
     pixel_middles(batch, first, x_px, y_px);
+    view_them(batch);
+  }
+
+  //! Views pixels at any image positions. Their results are elements first_element, first_element +
+  //! 1, ... of the channels.
+  ERGO_HD ViewedPixels(const PixelBatch& batch, int first_element, const T& x, const T& y)
+      : first(first_element), x_px(x), y_px(y) {
+    view_them(batch);
+  }
+
+ private:
+  ERGO_HD void view_them(const PixelBatch& batch) {
     inside = image_coverage(batch.projection, x_px, y_px);
     view = view_direction(batch, x_px, y_px);
   }

@@ -7,37 +7,39 @@
 namespace ergodome {
 
 GridLens::GridLens(Backend backend, const char* name, StationBlend stations, const EyeCamera& eye,
-                   const Projection& projection, double tolerance_px, bool behind)
+                   const Projection& projection, double tolerance_px, bool behind, GridReading reading)
     : backend_(backend),
       name_(name),
       behind_(behind),
+      reading_(backend == Backend::cpu ? reading : GridReading::pixels),
       stations_(std::move(stations)),
-      prototype_{
-          pixel_batch(eye, projection, tolerance_px), stations_.view(),
-          converted_aberration<float>(aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity))} {
-  set_sky_steps(prototype_.pixels, eye);
+      prototype_{{pixel_batch(eye, projection, tolerance_px), stations_.view(),
+                  converted_aberration<float>(
+                      aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity))},
+                 static_cast<float>(tolerance_px)} {
+  set_sky_steps(prototype_.look_up.pixels, eye);
 }
 
-LookUpBatch GridLens::rows(int first_row, int row_count, const LensPixels& out) const {
-  LookUpBatch batch = prototype_;
-  batch.pixels.first_row = first_row;
-  batch.pixels.row_count = row_count;
-  batch.pixels.out = out;
+TileLookUpBatch GridLens::rows(int first_row, int row_count, const LensPixels& out) const {
+  TileLookUpBatch batch = prototype_;
+  PixelBatch& pixels = batch.look_up.pixels;
+  pixels.first_row = first_row;
+  pixels.row_count = row_count;
+  pixels.out = out;
   return batch;
 }
 
 void GridLens::fill(int first_row, int row_count, const LensPixels& out) const {
-  launch(backend_, rows(first_row, row_count, out));
+  const TileLookUpBatch batch = rows(first_row, row_count, out);
+  if (reading_ == GridReading::tiles) {
+    launch(batch);
+  } else {
+    launch(backend_, batch.look_up);
+  }
 }
 
 bool GridLens::shares_work_with(const LensSource& other) const {
   return backend_ == Backend::cpu && dynamic_cast<const GridLens*>(&other) != nullptr;
-}
-
-void GridLens::fill_both(const LensSource& other, int first_row, int row_count, const LensPixels& out,
-                         const LensPixels& of_other) const {
-  const auto& beside = dynamic_cast<const GridLens&>(other);
-  launch(LookUpPairBatch{{rows(first_row, row_count, out), beside.rows(first_row, row_count, of_other)}});
 }
 
 }  // namespace ergodome
