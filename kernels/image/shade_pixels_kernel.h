@@ -39,13 +39,20 @@ struct ShadeSky {
   ShadeBatch batch;
 
   ERGO_HD void operator()(int index) const {
+    const int first = index * RealTraits<T>::lane_count;
+    shade(batch.lens, first, batch.count, batch.rgba + 4 * static_cast<long>(first), batch.count - first);
+  }
+
+  //! Shades the pixels first, first + 1, ... of `lens`, which has `count`. Writes at most `wanted` of
+  //! them, beginning at `to`.
+  ERGO_HD void shade(const LensPixels& lens, int first, int count, float* to, int wanted) const {
     constexpr int lanes = RealTraits<T>::lane_count;
-    const int first = index * lanes;
-    const T coverage = load_lanes<T>(batch.lens.coverage, first, batch.count);
+    const Pixels at = {lens, first, count};
+    const T coverage = load_lanes<T>(lens.coverage, first, count);
     T scale = coverage * batch.exposure;
     T g(1.0F);
     if constexpr (Shift != SkyShift::none) {
-      g = load_lanes<T>(batch.lens.frequency_ratio, first, batch.count);
+      g = load_lanes<T>(lens.frequency_ratio, first, count);
     }
     if constexpr (Shift == SkyShift::luminance) {
       const T g2 = g * g;
@@ -53,37 +60,44 @@ struct ShadeSky {
       scale = select(coverage > T(0.0F), scale * (g2 * g2), T(0.0F));
     }
     if constexpr (Brightened) {
-      scale = scale * magnification(first);
+      scale = scale * magnification(at);
     }
-    const SkyLight<T> light = seen_at(first, scale);
-    for (int i = 0; i < lanes && first + i < batch.count; ++i) {
-      float* to = batch.rgba + 4 * static_cast<long>(first + i);
+    const SkyLight<T> light = seen_at(at, scale, to, wanted);
+    for (int i = 0; i < lanes && i < wanted; ++i) {
       if constexpr (Shift == SkyShift::blackbody_fit) {
-        store_shifted(light.pixel[i], lane(g, i), to);
+        store_shifted(light.pixel[i], lane(g, i), to + 4 * i);
       } else {
-        store_quad(to, light.pixel[i]);
+        store_quad(to + 4 * i, light.pixel[i]);
       }
-      to[3] = batch.opacity ? 0.0F : lane(coverage, i);
+      to[4 * i + 3] = batch.opacity ? 0.0F : lane(coverage, i);
     }
   }
 
  private:
-  ERGO_HD Vector3<T> vectors(float* const (&from)[3], int first) const {
-    return {load_lanes<T>(from[0], first, batch.count), load_lanes<T>(from[1], first, batch.count),
-            load_lanes<T>(from[2], first, batch.count)};
+  //! A register of pixels.
+  struct Pixels {
+    const LensPixels& lens;
+    int first;
+    int count;
+  };
+
+  static ERGO_HD Vector3<T> vectors(float* const (&from)[3], const Pixels& at) {
+    return {load_lanes<T>(from[0], at.first, at.count), load_lanes<T>(from[1], at.first, at.count),
+            load_lanes<T>(from[2], at.first, at.count)};
   }
 
-  //! Returns the map's light over the pixels, times a factor.
-  ERGO_HD SkyLight<T> seen_at(int first, const T& factor) const {
+  //! Returns the map's light over the pixels, times a factor. For SkyFilter::polygon, `filtered` is
+  //! the light of the first of `wanted` pixels.
+  ERGO_HD SkyLight<T> seen_at(const Pixels& at, const T& factor, const float* filtered, int wanted) const {
     if constexpr (Filter == SkyFilter::ewa) {
-      return filter_sky(batch.sky, vectors(batch.lens.sky, first), vectors(batch.lens.sky_along_x, first),
-                        vectors(batch.lens.sky_along_y, first), factor);
+      return filter_sky(batch.sky, vectors(at.lens.sky, at), vectors(at.lens.sky_along_x, at),
+                        vectors(at.lens.sky_along_y, at), factor);
     } else if constexpr (Filter == SkyFilter::point) {
-      return sample_sky(batch.sky, vectors(batch.lens.sky, first), factor);
+      return sample_sky(batch.sky, vectors(at.lens.sky, at), factor);
     } else {
       SkyLight<T> light = detail::no_light<T>();
-      for (int i = 0; i < RealTraits<T>::lane_count && first + i < batch.count; ++i) {
-        light.pixel[i] = lane(factor, i) * load_quad(batch.rgba + 4 * static_cast<long>(first + i));
+      for (int i = 0; i < RealTraits<T>::lane_count && i < wanted; ++i) {
+        light.pixel[i] = lane(factor, i) * load_quad(filtered + 4 * i);
       }
       return light;
     }
@@ -91,9 +105,9 @@ struct ShadeSky {
 
   //! Returns the solid angle of the pixels at the camera over that of their footprints on the sky.
   //! The ratio is limited at caustics.
-  ERGO_HD T magnification(int first) const {
-    const Vector3<T> along_x = vectors(batch.lens.sky_along_x, first);
-    const Vector3<T> area = cross(along_x, vectors(batch.lens.sky_along_y, first));
+  ERGO_HD T magnification(const Pixels& at) const {
+    const Vector3<T> along_x = vectors(at.lens.sky_along_x, at);
+    const Vector3<T> area = cross(along_x, vectors(at.lens.sky_along_y, at));
     const T whole_sky(12.566371F);
     // Recognizes pixels without light from the sky: store_sky() writes derivatives for them that
     // are too large to be real.
@@ -101,7 +115,7 @@ struct ShadeSky {
     const T on_sky = select(lost, whole_sky, minimum(safe_sqrt(dot(area, area)), whole_sky));
     T x_px(0.0F);
     T y_px(0.0F);
-    pixel_middles(batch.projection.width_px, batch.first_row, batch.count, first, x_px, y_px);
+    pixel_middles(batch.projection.width_px, batch.first_row, batch.count, at.first, x_px, y_px);
     const T on_screen = pixel_solid_angle(batch.projection, x_px, y_px);
     return on_screen / maximum(on_sky, on_screen * (1.0F / brightening_limit));
   }

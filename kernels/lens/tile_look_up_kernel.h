@@ -91,12 +91,31 @@ struct LookUpTiles {
 
   ERGO_HD void operator()(int index) const {
     const PixelBatch& pixels = batch.look_up.pixels;
-    const int columns = tile_columns(batch);
-    const int x = index % columns * tile_side;
-    const int y = (first_tile_row(batch) + index / columns) * tile_side;
+    fill(index, {pixels.out, 0, pixels.first_row, pixels.projection.width_px, false});
+  }
+
+  //! Where the pixels of a tile are written.
+  struct Target {
+    LensPixels out;
+    int left;  //!< image position of the first pixel of the channels [px]
+    int top;
+    int stride;      //!< number of pixels from one row to the next
+    bool skip_dark;  //!< writes nothing if no pixel is lit
+  };
+
+  //! Returns the image position of the top left pixel of a tile [px].
+  ERGO_HD int left_of(int index) const { return index % tile_columns(batch) * tile_side; }
+  ERGO_HD int top_of(int index) const { return (first_tile_row(batch) + index / tile_columns(batch)) * tile_side; }
+
+  //! Fills a tile. Returns false if nothing was written, because no pixel is lit.
+  ERGO_HD bool fill(int index, const Target& to) const {
+    const PixelBatch& pixels = batch.look_up.pixels;
+    const int x = left_of(index);
+    const int y = top_of(index);
     float error_px = -1.0F;
-    if (read_tile<tile_side>(x, y, error_px)) {
-      return;
+    const Found found = read_tile<tile_side>(x, y, to, error_px);
+    if (found != Found::uneven) {
+      return found == Found::smooth || !to.skip_dark;
     }
     // Half the side has a sixteenth of the error, in smooth tiles.
     const bool hopeless = error_px > 64.0F * batch.tolerance_px;
@@ -108,7 +127,7 @@ struct LookUpTiles {
           top >= pixels.first_row + pixels.row_count) {
         continue;
       }
-      if (hopeless || !read_tile<quarter_side>(left, top, error_px)) {
+      if (hopeless || read_quarter(left, top, to) == Found::uneven) {
         for (int row = std::max(top, pixels.first_row);
              row < std::min(top + quarter_side, pixels.first_row + pixels.row_count); ++row) {
           runs.x[runs.count] = left;
@@ -118,11 +137,22 @@ struct LookUpTiles {
       }
     }
     if (runs.count > 0) {
-      read_runs(runs);
+      read_runs(runs, to);
     }
+    return true;
   }
 
  private:
+  //! What was found about a tile.
+  enum class Found { smooth, dark, uneven };
+
+  ERGO_HD Found read_quarter(int x, int y, const Target& to) const {
+    Target all = to;
+    all.skip_dark = false;
+    float error_px = -1.0F;
+    return read_tile<quarter_side>(x, y, all, error_px);
+  }
+
   //! Runs of quarter_side pixels in a row.
   struct Runs {
     int x[tile_side * 2];
@@ -225,11 +255,10 @@ struct LookUpTiles {
       // No pixel is farther than five pixels from a node, and single pixels are drawn within three
       // pixels of the edge.
       constexpr float margin_px = 8.0F;
-      const T square =
-          maximum(in_rain.x.along_x * in_rain.x.along_x + in_rain.y.along_x * in_rain.y.along_x +
-                      in_rain.z.along_x * in_rain.z.along_x,
-                  in_rain.x.along_y * in_rain.x.along_y + in_rain.y.along_y * in_rain.y.along_y +
-                      in_rain.z.along_y * in_rain.z.along_y);
+      const T square = maximum(in_rain.x.along_x * in_rain.x.along_x + in_rain.y.along_x * in_rain.y.along_x +
+                                   in_rain.z.along_x * in_rain.z.along_x,
+                               in_rain.x.along_y * in_rain.x.along_y + in_rain.y.along_y * in_rain.y.along_y +
+                                   in_rain.z.along_y * in_rain.z.along_y);
       const T distance = position.edge_distance.value;
       const auto far = distance * distance > square * (margin_px * margin_px);
       all_dark = all_dark && !any(!(far & (distance < zero)));
@@ -331,33 +360,36 @@ struct LookUpTiles {
     return worst;
   }
 
-  //! Fills a tile, or returns false if its pixels must be read one by one. `error_px` receives the
-  //! estimated error; negative if there is none.
+  //! Fills a tile, unless its pixels must be read one by one. `error_px` receives the estimated
+  //! error; negative if there is none.
   template <int Side>
-  ERGO_HD bool read_tile(int x, int y, float& error_px) const {
+  ERGO_HD Found read_tile(int x, int y, const Target& to, float& error_px) const {
     Cover cover;
     find_cover<Side>(x, y, cover);
     detail::TileNodes of;
     find_nodes<Side>(x, y, cover.none, of);
     error_px = of.error_px;
     if (!of.dark && !of.good) {
-      return false;
+      return Found::uneven;
+    }
+    const Found found = of.dark ? Found::dark : Found::smooth;
+    if (of.dark && to.skip_dark) {
+      return found;
     }
     const PixelBatch& pixels = batch.look_up.pixels;
     const int begin = std::max(y, pixels.first_row);
     const int end = std::min(y + Side, pixels.first_row + pixels.row_count);
     const int width = std::min(Side, pixels.projection.width_px - x);
     for (int row = begin; row < end; ++row) {
-      const Row to = {row - y, (row - pixels.first_row) * pixels.projection.width_px + x, width};
-      store_row<Side>(of, cover, to);
+      store_row<Side>(of, cover, to.out, {row - y, (row - to.top) * to.stride + x - to.left, width});
     }
-    return true;
+    return found;
   }
 
   //! A row of a tile.
   struct Row {
     int in_tile;
-    int first;  //!< first pixel in the block
+    int first;  //!< number of its first pixel in the channels
     int width;  //!< number of pixels
   };
 
@@ -378,9 +410,8 @@ struct LookUpTiles {
   }
 
   template <int Side>
-  ERGO_HD void store_row(const detail::TileNodes& of, const Cover& cover, const Row& row) const {
+  ERGO_HD void store_row(const detail::TileNodes& of, const Cover& cover, const LensPixels& out, const Row& row) const {
     constexpr const detail::TileBasis<Side>& basis = detail::tile_basis_of<Side>;
-    const LensPixels& out = batch.look_up.pixels.out;
     const T zero(0.0F);
     // Sums along y first: value[4 c + i] is component c at column i of the nodes.
     alignas(64) float value[16];
@@ -448,13 +479,14 @@ struct LookUpTiles {
   }
 
   //! Reads runs of pixels one by one, and traces those of flagged leaves.
-  [[gnu::noinline]] ERGO_HD void read_runs(const Runs& runs) const {
+  [[gnu::noinline]] ERGO_HD void read_runs(const Runs& runs, const Target& into) const {
     constexpr int most = tile_side * tile_side;
     constexpr int channels = 13;
     alignas(64) float memory[channels][most];
     const PixelBatch& pixels = batch.look_up.pixels;
     LookUpPixels<T, Footprints> one_by_one{batch.look_up};
     LensPixels& to = one_by_one.batch.pixels.out;
+    to = into.out;
     // All pixels are valid elements of the scratch memory, whatever the width of the image.
     one_by_one.batch.pixels.row_count = most;
     int used = 0;
@@ -488,7 +520,7 @@ struct LookUpTiles {
       one_by_one.look_up(ViewedPixels<T>(pixels, first, x_px, y_px));
     }
     for (int run = 0; run < runs.count; ++run) {
-      const int first = (runs.y[run] - pixels.first_row) * pixels.projection.width_px + runs.x[run];
+      const int first = (runs.y[run] - into.top) * into.stride + runs.x[run] - into.left;
       const int count = std::min(quarter_side, pixels.projection.width_px - runs.x[run]);
       for (int channel = 0; channel < used; ++channel) {
         std::memcpy(target[channel] + first, source[channel] + run * quarter_side,

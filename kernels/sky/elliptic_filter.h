@@ -2,6 +2,9 @@
 
 #include "kernels/core/lanes.h"
 #include "kernels/sky/cube_map.h"
+#if !defined(__CUDACC__)
+#include "kernels/core/quad_block.h"
+#endif
 
 // Filters of the sky's cube map: anisotropic, or bilinear in a single direction.
 namespace ergodome::inline ERGO_TARGET {
@@ -115,56 +118,105 @@ ERGO_HD T probe_weight(const T& x) {
 //! One level of the pyramid for each lane.
 template <class T>
 struct LevelLanes {
-  const float* texels[RealTraits<T>::lane_count];
-  int stride[RealTraits<T>::lane_count];  //!< floats from a texel to the one below
-  T size;
+  T size;                    //!< width of a face
+  IntegerOf<T> first_texel;  //!< number of the level's first texel
 };
 
 template <class T>
 ERGO_HD LevelLanes<T> level_lanes(const CubeMap& map, const IntegerOf<T>& level) {
   constexpr int lanes = RealTraits<T>::lane_count;
-  int levels[lanes];
+  std::int32_t levels[lanes];
   std::memcpy(levels, &level, sizeof levels);
+  std::int32_t offsets[lanes];
   float sizes[lanes];
-  LevelLanes<T> of;
   for (int i = 0; i < lanes; ++i) {
-    const int at = levels[i] < map.level_count ? levels[i] : map.level_count - 1;
-    const int size = map.face_size >> at;
-    of.texels[i] = map.texels + 4 * map.level_offset[at];
-    of.stride[i] = 4 * (size + 2);
-    sizes[i] = static_cast<float>(size);
+    const int below = levels[i] < map.level_count ? levels[i] : map.level_count - 1;
+    const int at = below > 0 ? below : 0;
+    offsets[i] = static_cast<std::int32_t>(map.level_offset[at]);
+    sizes[i] = static_cast<float>(map.face_size >> at);
   }
+  LevelLanes<T> of;
   of.size = load_lanes<T>(sizes, 0, lanes);
+  std::memcpy(&of.first_texel, offsets, sizeof offsets);
   return of;
 }
 
-//! Adds a bilinear look-up for each lane whose weight is positive.
+//! Sums of texels for each lane.
 template <class T>
-ERGO_HD void add_probe(const LevelLanes<T>& level, const CubePosition<T>& position, const T& weight, SkyLight<T>& sum) {
-  constexpr int lanes = RealTraits<T>::lane_count;
-  const BilinearPosition<T> at = bilinear_position(position, level.size);
-  const T lower = weight * at.lower;
-  const T upper = weight - lower;
-  int texel[lanes];
-  std::memcpy(texel, &at.texel, sizeof texel);
-  float upper_weight[lanes];
-  float lower_weight[lanes];
-  float right[lanes];
-  store_lanes(upper_weight, 0, lanes, upper);
-  store_lanes(lower_weight, 0, lanes, lower);
-  store_lanes(right, 0, lanes, at.right);
-  for (int i = 0; i < lanes; ++i) {
-    if (upper_weight[i] + lower_weight[i] > 0.0F) {
-      const float* top = level.texels[i] + 4 * static_cast<long>(texel[i]);
-      const float* bottom = top + level.stride[i];
-      const Quad left_pair = upper_weight[i] * load_quad(top) + lower_weight[i] * load_quad(bottom);
-      const Quad right_pair = upper_weight[i] * load_quad(top + 4) + lower_weight[i] * load_quad(bottom + 4);
-      sum.pixel[i] = sum.pixel[i] + (1.0F - right[i]) * left_pair + right[i] * right_pair;
+class TexelSums {
+ public:
+  ERGO_HD TexelSums() {
+    for (Sum& sum : sums_) {
+      clear(sum);
     }
   }
-}
 
-//! Adds the probes of a line, with weights that sum to `factor`. Lanes with factor 0 use no probes.
+  //! Adds a bilinear look-up for each lane whose weight is positive.
+  ERGO_HD void add(const CubeMap& map, const LevelLanes<T>& level, const CubePosition<T>& position, const T& weight) {
+    const BilinearPosition<T> at = bilinear_position(position, level.size);
+    const T lower = weight * at.lower;
+    const T upper = weight - lower;
+    const T upper_right = upper * at.right;
+    const T lower_right = lower * at.right;
+    // Floats before the texels.
+    const IntegerOf<T> top = (level.first_texel + at.texel) * 4;
+    const IntegerOf<T> bottom = top + (truncated(level.size) + 2) * 4;
+    if constexpr (lanes == 1) {
+      if (weight > 0.0F) {
+        const float* const first = map.texels + top;
+        const float* const second = map.texels + bottom;
+        sums_[0] = sums_[0] + (upper - upper_right) * load_quad(first) + upper_right * load_quad(first + 4) +
+                   (lower - lower_right) * load_quad(second) + lower_right * load_quad(second + 4);
+      }
+    } else {
+#if !defined(__CUDACC__)
+      const LaneQuads<T> weights(upper - upper_right, upper_right, lower - lower_right, lower_right);
+      std::uint32_t first[lanes];
+      std::uint32_t second[lanes];
+      std::memcpy(first, &top, sizeof first);
+      std::memcpy(second, &bottom, sizeof second);
+      constexpr unsigned all = lanes == 32 ? ~0U : (1U << static_cast<unsigned>(lanes % 32)) - 1U;
+      const unsigned some = mask_bits(weight > T(0.0F));
+      if (some == all) {
+        ERGO_UNROLL
+        for (int i = 0; i < lanes; ++i) {
+          add_weighted(sums_[i], weights.of(i), map.texels + first[i], map.texels + second[i]);
+        }
+        return;
+      }
+      for (unsigned left = some; left != 0; left &= left - 1) {
+        const int i = std::countr_zero(left);
+        add_weighted(sums_[i], weights.of(i), map.texels + first[i], map.texels + second[i]);
+      }
+#endif
+    }
+  }
+
+  //! Returns the sum of a lane.
+  [[nodiscard]] ERGO_HD Quad of(int i) const {
+    if constexpr (lanes == 1) {
+      return sums_[0];
+    } else {
+#if !defined(__CUDACC__)
+      return total(sums_[i]);
+#endif
+    }
+  }
+
+ private:
+  static constexpr int lanes = RealTraits<T>::lane_count;
+#if defined(__CUDACC__)
+  using Sum = Quad;
+#else
+  using Sum = std::conditional_t<lanes == 1, Quad, QuadBlock>;
+  static void clear(QuadBlock& sum) { sum = zero_block(); }
+#endif
+  static ERGO_HD void clear(Quad& sum) { sum = quad_of(0.0F); }
+
+  Sum sums_[lanes];
+};
+
+//! Sums the probes of a line, with weights that sum to `factor`. Lanes with factor 0 use no probes.
 template <class T>
 ERGO_HD void add_line(const CubeMap& map, const ProbeLine<T>& line, const Vector3<T>& direction,
                       const Vector3<T>& along, const T& factor, SkyLight<T>& sum) {
@@ -175,6 +227,7 @@ ERGO_HD void add_line(const CubeMap& map, const ProbeLine<T>& line, const Vector
   const bool blended = any((factor > zero) & (coarse_part > zero));
   const LevelLanes<T> fine = level_lanes<T>(map, fine_level);
   const LevelLanes<T> coarse = blended ? level_lanes<T>(map, fine_level + 1) : fine;
+  TexelSums<T> texels;
   const T count = select(factor > zero, line.count, zero);
   const T per_count = one / line.count;
   const T half_length = line.count * line.spacing * 0.5F;
@@ -187,14 +240,14 @@ ERGO_HD void add_line(const CubeMap& map, const ProbeLine<T>& line, const Vector
     const CubePosition<T> position = cube_position(cosine * direction + sine * along);
     const T weight = select(k < count, probe_weight(x), zero);
     weights = weights + weight;
-    add_probe(fine, position, weight * (one - coarse_part), sum);
+    texels.add(map, fine, position, weight * (one - coarse_part));
     if (blended) {
-      add_probe(coarse, position, weight * coarse_part, sum);
+      texels.add(map, coarse, position, weight * coarse_part);
     }
   }
   const T scale = factor / maximum(weights, T(1e-37F));
   for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
-    sum.pixel[i] = lane(scale, i) * sum.pixel[i];
+    sum.pixel[i] = lane(scale, i) * texels.of(i);
   }
 }
 
@@ -238,7 +291,11 @@ ERGO_HD SkyLight<T> sample_sky(const CubeMap& map, const Vector3<T>& direction, 
   const T seen = select(known, factor, zero);
   if (any(seen > zero)) {
     const Vector3<T> towards = {select(known, direction.x, T(1.0F)), direction.y, direction.z};
-    detail::add_probe(detail::level_lanes<T>(map, truncated(zero)), cube_position(towards), seen, light);
+    detail::TexelSums<T> texels;
+    texels.add(map, detail::level_lanes<T>(map, truncated(zero)), cube_position(towards), seen);
+    for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+      light.pixel[i] = texels.of(i);
+    }
   }
   detail::add_mean(map, select(known, zero, factor), light);
   return light;

@@ -25,6 +25,13 @@ class LensSource {
   //! each, in the backend's memory.
   virtual void fill(int first_row, int row_count, const LensPixels& out) const = 0;
 
+  //! Fills the channels of rows of a picture and shades them at once, if that is cheaper: without
+  //! writing `shading.lens`. Otherwise returns false and does nothing.
+  virtual bool shade([[maybe_unused]] int first_row, [[maybe_unused]] int row_count,
+                     [[maybe_unused]] const ShadeBatch& shading) const {
+    return false;
+  }
+
   //! Returns whether fill_both() is cheaper than two calls of fill(), for two eyes with equal
   //! projections.
   [[nodiscard]] virtual bool shares_work_with(const LensSource& other) const {

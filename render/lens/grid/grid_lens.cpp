@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "kernels/lens/tile_shading.h"
 #include "render/lens/direct_lens.h"
 
 namespace ergodome {
@@ -13,10 +14,10 @@ GridLens::GridLens(Backend backend, const char* name, StationBlend stations, con
       behind_(behind),
       reading_(backend == Backend::cpu ? reading : GridReading::pixels),
       stations_(std::move(stations)),
-      prototype_{{pixel_batch(eye, projection, tolerance_px), stations_.view(),
-                  converted_aberration<float>(
-                      aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity))},
-                 static_cast<float>(tolerance_px)} {
+      prototype_{
+          {pixel_batch(eye, projection, tolerance_px), stations_.view(),
+           converted_aberration<float>(aberration_to_rain(eye.spacetime, eye.r, eye.theta, eye.motion, eye.velocity))},
+          static_cast<float>(tolerance_px)} {
   set_sky_steps(prototype_.look_up.pixels, eye);
 }
 
@@ -36,6 +37,14 @@ void GridLens::fill(int first_row, int row_count, const LensPixels& out) const {
   } else {
     launch(backend_, batch.look_up);
   }
+}
+
+bool GridLens::shade(int first_row, int row_count, const ShadeBatch& shading) const {
+  if (reading_ != GridReading::tiles || !shades_on_tiles(shading.mode, shading.filter, shading.brightening)) {
+    return false;
+  }
+  launch(TileShadeBatch{rows(first_row, row_count, shading.lens), shading});
+  return true;
 }
 
 bool GridLens::shares_work_with(const LensSource& other) const {

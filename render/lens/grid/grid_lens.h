@@ -23,6 +23,7 @@ class GridLens : public LensSource {
            double tolerance_px, bool behind = false, GridReading reading = GridReading::tiles);
 
   void fill(int first_row, int row_count, const LensPixels& out) const override;
+  bool shade(int first_row, int row_count, const ShadeBatch& shading) const override;
   [[nodiscard]] bool shares_work_with(const LensSource& other) const override;
   [[nodiscard]] const char* name() const override { return name_; }
   [[nodiscard]] bool behind() const override { return behind_; }

@@ -123,8 +123,12 @@ SkyDrawing::SkyDrawing(SkyPass& pass, const EyePicture& picture, const SkyCube& 
 void SkyDrawing::draw(const RowBlock& rows, float* rgba) {
   // Sets the channels again, because another picture may have used the same memory meanwhile.
   shade_.lens = pass_.channels(sky_pixels(picture_, max_rows_), picture_.settings);
-  lens_->fill(rows.first, rows.count, shade_.lens);
-  shade(rows, rgba);
+  aim(rows, rgba);
+  shaded_by_lens_ = lens_->shade(rows.first, rows.count, shade_);
+  if (!shaded_by_lens_) {
+    lens_->fill(rows.first, rows.count, shade_.lens);
+    shade();
+  }
 }
 
 void SkyDrawing::draw_both(SkyDrawing& first, SkyDrawing& second, const RowBlock& rows, float* rgba,
@@ -132,15 +136,24 @@ void SkyDrawing::draw_both(SkyDrawing& first, SkyDrawing& second, const RowBlock
   const std::size_t pixels = sky_pixels(first.picture_, rows.count);
   first.shade_.lens = first.pass_.channels(pixels, first.picture_.settings);
   second.shade_.lens = second.pass_.channels(pixels, second.picture_.settings, true);
-  first.lens_->fill_both(*second.lens_, rows.first, rows.count, first.shade_.lens, second.shade_.lens);
-  first.shade(rows, rgba);
-  second.shade(rows, rgba_of_second);
+  first.aim(rows, rgba);
+  second.aim(rows, rgba_of_second);
+  first.shaded_by_lens_ = first.lens_->shade(rows.first, rows.count, first.shade_);
+  second.shaded_by_lens_ = second.lens_->shade(rows.first, rows.count, second.shade_);
+  if (!first.shaded_by_lens_ && !second.shaded_by_lens_) {
+    first.lens_->fill_both(*second.lens_, rows.first, rows.count, first.shade_.lens, second.shade_.lens);
+    first.shade();
+    second.shade();
+  }
 }
 
-void SkyDrawing::shade(const RowBlock& rows, float* rgba) {
+void SkyDrawing::aim(const RowBlock& rows, float* rgba) {
   shade_.rgba = rgba;
   shade_.first_row = rows.first;
   shade_.count = rows.count * shade_.projection.width_px;
+}
+
+void SkyDrawing::shade() {
   if (shade_.mode == ViewMode::sky && shade_.filter == SkyFilter::polygon) {
     filter_polygons(*picture_.settings.polygons);
   }
@@ -148,6 +161,10 @@ void SkyDrawing::shade(const RowBlock& rows, float* rgba) {
 }
 
 long SkyDrawing::count_unresolved() const {
+  if (shaded_by_lens_) {
+    // Grids have a value for every pixel.
+    return 0;
+  }
   const float* const estimates = shade_.lens.error_estimate;
   return pass_.backend_ == Backend::cuda
              ? count_negative_cuda(estimates, shade_.count)

@@ -62,8 +62,10 @@ class SkyDrawing {
   [[nodiscard]] long count_unresolved() const;
 
  private:
-  //! Shades rows of the picture whose lens channels are filled.
-  void shade(const RowBlock& rows, float* rgba);
+  //! Selects the rows that are shaded next, and their memory.
+  void aim(const RowBlock& rows, float* rgba);
+  //! Shades the selected rows, whose lens channels are filled.
+  void shade();
   //! Filters the map over the outlines of pixels, on the CPU. For a GPU backend, copies the
   //! channels to the host, and the resulting light back.
   void filter_polygons(const PolygonFilter& polygons) const;
@@ -74,6 +76,7 @@ class SkyDrawing {
   ShadeBatch shade_;
   std::unique_ptr<LensSource> chosen_;
   const LensSource* lens_;
+  bool shaded_by_lens_ = false;  //!< LensSource::shade() drew the last rows
 };
 
 //! Returns the value range of a heat map's color bar for a picture's settings.
