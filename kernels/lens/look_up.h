@@ -60,11 +60,6 @@ struct LookUpBatch {
   AberrationOf<float> aberration;
 };
 
-//! The same block of rows in both eyes' images, which share one projection.
-struct LookUpPairBatch {
-  LookUpBatch eyes[2];
-};
-
 //! A block of rows for an omnidirectional eye. Its grid is in the view's axes, and `aberration` is
 //! the identity.
 struct OmniLookUpBatch {
@@ -109,21 +104,6 @@ struct Kernel<LookUpBatch> : KernelDefaults {
   template <class Visit>
   static void visit_outputs(const LookUpBatch& batch, const Visit& visit) {
     Kernel<PixelBatch>::visit_outputs(batch.pixels, visit);
-  }
-};
-
-template <>
-struct Kernel<LookUpPairBatch> : KernelDefaults {
-  //! Counts one launch per eye, as for two separate launches.
-  static constexpr int counted_launches = 2;
-  static const char* name(const LookUpPairBatch& batch) { return Kernel<LookUpBatch>::name(batch.eyes[0]); }
-  static PixelRows rows(const LookUpPairBatch& batch) { return Kernel<LookUpBatch>::rows(batch.eyes[0]); }
-
-  template <class Visit>
-  static void visit_outputs(const LookUpPairBatch& batch, const Visit& visit) {
-    for (const LookUpBatch& eye : batch.eyes) {
-      Kernel<LookUpBatch>::visit_outputs(eye, visit);
-    }
   }
 };
 

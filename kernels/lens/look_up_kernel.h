@@ -108,21 +108,6 @@ struct LookUpPixels {
   }
 };
 
-//! Reads the same pixels for both eyes and evaluates their projection once.
-template <class T, bool Footprints>
-struct LookUpPixelPairs {
-  LookUpPixels<T, Footprints> eyes[2];
-
-  ERGO_HD explicit LookUpPixelPairs(const LookUpPairBatch& batch) : eyes{{batch.eyes[0]}, {batch.eyes[1]}} {}
-
-  ERGO_HD void operator()(int index) const {
-    const ViewedPixels<T> viewed(eyes[0].batch.pixels, index);
-    for (const LookUpPixels<T, Footprints>& eye : eyes) {
-      eye.look_up(viewed);
-    }
-  }
-};
-
 //! Reads rays from a lens grid. Index i covers the rays i * lanes, i * lanes + 1, ...
 template <class T>
 struct LookUpRays {
@@ -186,15 +171,6 @@ void dispatch(const OmniLookUpBatch& batch, const Action& action) {
     action(LookUpPixels<T, true, OmniLookUpBatch>{batch});
   } else {
     action(LookUpPixels<T, false, OmniLookUpBatch>{batch});
-  }
-}
-
-template <class T, class Action>
-void dispatch(const LookUpPairBatch& batch, const Action& action) {
-  if (has_footprints(batch.eyes[0].pixels.out)) {
-    action(LookUpPixelPairs<T, true>{batch});
-  } else {
-    action(LookUpPixelPairs<T, false>{batch});
   }
 }
 

@@ -4,6 +4,5 @@
 namespace ergodome {
 
 ERGO_CPU_KERNEL(LookUpBatch);
-ERGO_CPU_KERNEL(LookUpPairBatch);
 
 }  // namespace ergodome

@@ -141,6 +141,47 @@ ERGO_HD LevelLanes<T> level_lanes(const CubeMap& map, const IntegerOf<T>& level)
   return of;
 }
 
+#if !defined(__CUDACC__)
+//! A bilinear look-up at one level for each lane of a SIMD register.
+template <class T>
+class LaneTexels {
+ public:
+  LaneTexels(const CubeMap& map, const LevelLanes<T>& level, const CubePosition<T>& position, const T& weight)
+      : LaneTexels(map, level, weight, bilinear_position(position, level.size)) {}
+
+  //! Adds the look-up of a lane to a sum.
+  void add(QuadBlock& sum, int i) const { weights_.add(sum, i, texels_ + first_[i], texels_ + second_[i]); }
+
+ private:
+  static constexpr int lanes = RealTraits<T>::lane_count;
+
+  LaneTexels(const CubeMap& map, const LevelLanes<T>& level, const T& weight, const BilinearPosition<T>& at)
+      : texels_(map.texels), weights_(weights_of(at, weight)) {
+    // Numbers of floats.
+    const IntegerOf<T> first = (level.first_texel + at.texel) * 4;
+    const IntegerOf<T> second = first + (truncated(level.size) + 2) * 4;
+    std::memcpy(first_, &first, sizeof first_);
+    std::memcpy(second_, &second, sizeof second_);
+    // Without this, the compiler extracts each number from its register, which takes longer than
+    // loading it.
+    asm("" : "+m"(first_), "+m"(second_));
+  }
+
+  static LaneWeights<T> weights_of(const BilinearPosition<T>& at, const T& weight) {
+    const T lower = weight * at.lower;
+    const T upper = weight - lower;
+    const T upper_right = upper * at.right;
+    const T lower_right = lower * at.right;
+    return {upper - upper_right, upper_right, lower - lower_right, lower_right};
+  }
+
+  const float* texels_;
+  LaneWeights<T> weights_;
+  std::uint32_t first_[lanes];   //!< upper left texel; its right neighbor follows
+  std::uint32_t second_[lanes];  //!< lower left texel
+};
+#endif
+
 //! Sums of texels for each lane.
 template <class T>
 class TexelSums {
@@ -153,41 +194,36 @@ class TexelSums {
 
   //! Adds a bilinear look-up for each lane whose weight is positive.
   ERGO_HD void add(const CubeMap& map, const LevelLanes<T>& level, const CubePosition<T>& position, const T& weight) {
-    const BilinearPosition<T> at = bilinear_position(position, level.size);
-    const T lower = weight * at.lower;
-    const T upper = weight - lower;
-    const T upper_right = upper * at.right;
-    const T lower_right = lower * at.right;
-    // Floats before the texels.
-    const IntegerOf<T> top = (level.first_texel + at.texel) * 4;
-    const IntegerOf<T> bottom = top + (truncated(level.size) + 2) * 4;
     if constexpr (lanes == 1) {
       if (weight > 0.0F) {
-        const float* const first = map.texels + top;
-        const float* const second = map.texels + bottom;
-        sums_[0] = sums_[0] + (upper - upper_right) * load_quad(first) + upper_right * load_quad(first + 4) +
-                   (lower - lower_right) * load_quad(second) + lower_right * load_quad(second + 4);
+        add_one(map, level, position, weight);
       }
     } else {
 #if !defined(__CUDACC__)
-      const LaneQuads<T> weights(upper - upper_right, upper_right, lower - lower_right, lower_right);
-      std::uint32_t first[lanes];
-      std::uint32_t second[lanes];
-      std::memcpy(first, &top, sizeof first);
-      std::memcpy(second, &bottom, sizeof second);
-      constexpr unsigned all = lanes == 32 ? ~0U : (1U << static_cast<unsigned>(lanes % 32)) - 1U;
-      const unsigned some = mask_bits(weight > T(0.0F));
-      if (some == all) {
-        ERGO_UNROLL
-        for (int i = 0; i < lanes; ++i) {
-          add_weighted(sums_[i], weights.of(i), map.texels + first[i], map.texels + second[i]);
-        }
-        return;
-      }
-      for (unsigned left = some; left != 0; left &= left - 1) {
-        const int i = std::countr_zero(left);
-        add_weighted(sums_[i], weights.of(i), map.texels + first[i], map.texels + second[i]);
-      }
+      const LaneTexels<T> texels(map, level, position, weight);
+      add_lanes(mask_bits(weight > T(0.0F)), [&](Sum& sum, int i) { texels.add(sum, i); });
+#endif
+    }
+  }
+
+  //! Adds bilinear look-ups at two levels; `coarse_part` is the weight of the second, for a sum of
+  //! `weight`.
+  ERGO_HD void add(const CubeMap& map, const LevelLanes<T>& fine, const LevelLanes<T>& coarse, const T& coarse_part,
+                   const CubePosition<T>& position, const T& weight) {
+    const T coarse_weight = weight * coarse_part;
+    if constexpr (lanes == 1) {
+      add(map, fine, position, weight - coarse_weight);
+      add(map, coarse, position, coarse_weight);
+    } else {
+#if !defined(__CUDACC__)
+      const LaneTexels<T> first(map, fine, position, weight - coarse_weight);
+      const LaneTexels<T> second(map, coarse, position, coarse_weight);
+      add_lanes(mask_bits(weight > T(0.0F)), [&](Sum& sum, int i) {
+        Sum both = sum;
+        first.add(both, i);
+        second.add(both, i);
+        sum = both;
+      });
 #endif
     }
   }
@@ -212,6 +248,35 @@ class TexelSums {
   static void clear(QuadBlock& sum) { sum = zero_block(); }
 #endif
   static ERGO_HD void clear(Quad& sum) { sum = quad_of(0.0F); }
+
+  ERGO_HD void add_one(const CubeMap& map, const LevelLanes<T>& level, const CubePosition<T>& position,
+                       const T& weight) {
+    const BilinearPosition<T> at = bilinear_position(position, level.size);
+    const T lower = weight * at.lower;
+    const T upper = weight - lower;
+    const float* const top = map.texels + 4L * (level.first_texel + at.texel);
+    const float* const bottom = top + 4L * (truncated(level.size) + 2);
+    const Quad left_pair = upper * load_quad(top) + lower * load_quad(bottom);
+    const Quad right_pair = upper * load_quad(top + 4) + lower * load_quad(bottom + 4);
+    sums_[0] = sums_[0] + (1.0F - at.right) * left_pair + at.right * right_pair;
+  }
+
+  //! Calls add(sum, i) for the lanes in a bit mask.
+  template <class Add>
+  void add_lanes(unsigned some, const Add& add) {
+    constexpr unsigned all = (1U << static_cast<unsigned>(lanes)) - 1U;
+    if (some == all) {
+      ERGO_UNROLL
+      for (int i = 0; i < lanes; ++i) {
+        add(sums_[i], i);
+      }
+      return;
+    }
+    for (unsigned left = some; left != 0; left &= left - 1) {
+      const int i = std::countr_zero(left);
+      add(sums_[i], i);
+    }
+  }
 
   Sum sums_[lanes];
 };
@@ -240,9 +305,10 @@ ERGO_HD void add_line(const CubeMap& map, const ProbeLine<T>& line, const Vector
     const CubePosition<T> position = cube_position(cosine * direction + sine * along);
     const T weight = select(k < count, probe_weight(x), zero);
     weights = weights + weight;
-    texels.add(map, fine, position, weight * (one - coarse_part));
     if (blended) {
-      texels.add(map, coarse, position, weight * coarse_part);
+      texels.add(map, fine, coarse, coarse_part, position, weight);
+    } else {
+      texels.add(map, fine, position, weight);
     }
   }
   const T scale = factor / maximum(weights, T(1e-37F));

@@ -53,16 +53,6 @@ class EyeRenderer::Making {
     picture_.unresolved_pixels += sky_.count_unresolved();
   }
 
-  static bool share_work(const Making (&both)[2]) { return both[0].sky_.lens().shares_work_with(both[1].sky_.lens()); }
-
-  //! Renders the sky of both eyes, whose lenses share work (LensSource::shares_work_with()).
-  static void make_sky_of_both(Making (&both)[2], const RowBlock& rows) {
-    SkyDrawing::draw_both(both[0].sky_, both[1].sky_, rows, both[0].memory_of(rows), both[1].memory_of(rows));
-    for (Making& making : both) {
-      making.picture_.unresolved_pixels += making.sky_.count_unresolved();
-    }
-  }
-
   //! Draws the passes over picture rows that hold the sky. On a GPU, then copies these rows to the
   //! picture.
   void draw_over(const RowBlock& rows) {
@@ -132,12 +122,8 @@ std::vector<Picture> EyeRenderer::render_pair(const EyePair& wanted, const SkyCu
     return pictures;
   }
   Making both[] = {{*this, first, sky}, {*this, second, sky}};
-  const bool at_once = wanted.one_projection && Making::share_work(both);
   visit_rows({0, first.projection.height_px}, both[0].block_rows(), [&](const RowBlock& block) {
     visit_rows(block, rows_of_a_strip(first.projection.width_px), [&](const RowBlock& rows) {
-      if (at_once) {
-        return Making::make_sky_of_both(both, rows);
-      }
       both[0].make_sky(rows);
       both[1].make_sky(rows);
     });

@@ -19,7 +19,6 @@ namespace ergodome {
 struct EyePair {
   EyePicture first;
   EyePicture second;
-  bool one_projection;  //!< true if both have the same projection, as eyes without convergence do
 };
 
 //! Renders the pictures of eyes: the sky and, over it, the drawing passes in order. Renders a block
@@ -51,8 +50,7 @@ class EyeRenderer {
 
   //! Renders both eyes' pictures. On the CPU, alternates between the eyes every few rows, so that
   //! sky texels that one eye has read are still in the cache for the other, unless a pass has
-  //! PassKind::serves_one_picture. If both have grids and the same projection, each pixel's view
-  //! direction is computed once.
+  //! PassKind::serves_one_picture.
   std::vector<Picture> render_pair(const EyePair& wanted, const SkyCube& sky);
 
   //! Draws passes over a whole picture in host memory, with the same result as if they had been

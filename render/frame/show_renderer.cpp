@@ -268,9 +268,7 @@ std::vector<Picture> ShowRenderer::render_eyes(const CameraPose& pose, const Pro
   };
   const EyeCameras cameras = eye_cameras(stereo.model);
   if (cameras == EyeCameras::own) {
-    const bool one_projection = !(stereo.convergence > 0.0) || stereo.baseline == 0.0;
-    return renderer_.render_pair({wanted(-0.5 * stereo.baseline), wanted(0.5 * stereo.baseline), one_projection},
-                                 sky_.cube());
+    return renderer_.render_pair({wanted(-0.5 * stereo.baseline), wanted(0.5 * stereo.baseline)}, sky_.cube());
   }
   const EyePicture head{eye_camera(show_, pose, 0.0), projection, picture_settings(pose, mode, moment, 0.0)};
   const std::vector<CameraPose> shutter =

@@ -32,21 +32,6 @@ class LensSource {
     return false;
   }
 
-  //! Returns whether fill_both() is cheaper than two calls of fill(), for two eyes with equal
-  //! projections.
-  [[nodiscard]] virtual bool shares_work_with(const LensSource& other) const {
-    static_cast<void>(other);
-    return false;
-  }
-
-  //! Fills the channels of the same rows for this lens (`out`) and for the other eye's
-  //! (`of_other`). Lenses that override this require that shares_work_with() returns true.
-  virtual void fill_both(const LensSource& other, int first_row, int row_count, const LensPixels& out,
-                         const LensPixels& of_other) const {
-    fill(first_row, row_count, out);
-    other.fill(first_row, row_count, of_other);
-  }
-
   //! Returns the name of the source for display: "direct", "live", "streamed" or "quadtree".
   [[nodiscard]] virtual const char* name() const = 0;
 

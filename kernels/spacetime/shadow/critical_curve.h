@@ -38,6 +38,34 @@ ERGO_HD double edge_along_circle(const CameraStation& camera, const ShadowChart&
   return alpha;
 }
 
+//! Returns the edge at a position angle like edge_polar_angle(), from a guess: an edge nearby. `exact`
+//! receives false if Newton's method does not converge in a few rounds; the result is then useless.
+ERGO_HD double edge_near_guess(const CameraStation& camera, const ShadowChart& chart, double gamma, double guess,
+                               bool& exact) {
+  constexpr double pi_rad = 3.14159265358979323846;
+  // Newton's method squares the error of this step, relative to the edge's angle.
+  constexpr double last_step = 1e-9;
+  double alpha = guess;
+  for (int round = 0; round < 5; ++round) {
+    Dual<double> sine;
+    Dual<double> cosine;
+    sine_cosine(Dual<double>(alpha, 1.0, 0.0), sine, cosine);
+    const RayStart<Dual<double>> ray = start_ray(camera, chart_direction(chart, cosine, sine, gamma));
+    const Dual<double> value = darkness(camera.spin, camera.horizon_r, ray);
+    const double newton = alpha - value.value / value.along_x;
+    if (!(newton > 0.0 && newton < pi_rad)) {
+      break;
+    }
+    if (::fabs(newton - alpha) <= last_step * alpha) {
+      exact = true;
+      return newton;
+    }
+    alpha = newton;
+  }
+  exact = false;
+  return alpha;
+}
+
 namespace detail {
 //! Returns a chart about `centre` whose position angle 0 points along +φ, or along +θ if `centre`
 //! is almost at ±φ.

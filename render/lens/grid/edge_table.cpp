@@ -39,9 +39,20 @@ bool moves_and_stands_alike(const EyeCamera& a, const EyeCamera& b) {
 std::vector<float> solve_edge(const CameraStation& camera, const ShadowChart& chart, int count, bool mirrored) {
   std::vector<float> polar_angle(static_cast<std::size_t>(count));
   parallel_for(mirrored ? count / 2 + 1 : count, 64, [&](int begin, int end) {
+    // The last two edges predict the next one.
+    double last = 0.0;
+    double before = 0.0;
     for (int i = begin; i < end; ++i) {
-      polar_angle[static_cast<std::size_t>(i)] =
-          static_cast<float>(edge_polar_angle(camera, chart, full_turn * i / count));
+      const double gamma = full_turn * i / count;
+      const double guess = i == begin + 1 ? last : 2.0 * last - before;
+      bool exact = false;
+      double alpha = i > begin ? edge_near_guess(camera, chart, gamma, guess, exact) : 0.0;
+      if (!exact) {
+        alpha = edge_polar_angle(camera, chart, gamma);
+      }
+      before = last;
+      last = alpha;
+      polar_angle[static_cast<std::size_t>(i)] = static_cast<float>(alpha);
     }
   });
   for (int i = count / 2 + 1; mirrored && i < count; ++i) {

@@ -47,8 +47,4 @@ bool GridLens::shade(int first_row, int row_count, const ShadeBatch& shading) co
   return true;
 }
 
-bool GridLens::shares_work_with(const LensSource& other) const {
-  return backend_ == Backend::cpu && dynamic_cast<const GridLens*>(&other) != nullptr;
-}
-
 }  // namespace ergodome

@@ -24,7 +24,6 @@ class GridLens : public LensSource {
 
   void fill(int first_row, int row_count, const LensPixels& out) const override;
   bool shade(int first_row, int row_count, const ShadeBatch& shading) const override;
-  [[nodiscard]] bool shares_work_with(const LensSource& other) const override;
   [[nodiscard]] const char* name() const override { return name_; }
   [[nodiscard]] bool behind() const override { return behind_; }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "content/show/stereo_eyes.h"
+#include "kernels/lens/tile_shading.h"
 #include "render/lens/grid/edge_table.h"
 #include "render/lens/lens_source.h"
 
@@ -65,36 +66,40 @@ void plan_grid(PlanWriter& plan, const std::string& reason, bool if_needed) {
   plan.buffer("lens grid being traced", WorkMoment::position, 0, reason);
 }
 
-void plan_lens(PlanWriter& plan, const LensChannels& channels, const ShellsFollowed& shells) {
+ShadedByLens plan_lens(PlanWriter& plan, const SkyShading& shading, const ShellsFollowed& shells) {
+  const LensChannels channels = lens_channels(plan.request().mode, shading);
   if (has_camera_per_direction(plan.maximum().stereo)) {
-    return plan_omni(plan, channels);
+    plan_omni(plan, channels);
+    return ShadedByLens::never;
   }
   if (follows_rays(plan.request().mode) && (plan.request().method || shells.at_most)) {
-    return plan_followed(plan, shells);
+    plan_followed(plan, shells);
+    return ShadedByLens::never;
   }
   const double pixels = static_cast<double>(plan.pixels());
   const bool asked = plan.request().lens == LensChoice::live || plan.request().lens == LensChoice::streamed;
   const std::string quality = plan.why("quality.budget_px");
   if (shows_rays(plan.request().mode) || plan.request().lens == LensChoice::direct) {
-    return plan_direct(plan, channels, plan.why_view());
+    plan_direct(plan, channels, plan.why_view());
+    return ShadedByLens::never;
   }
   if (plan.maximum().grid_scheme == GridScheme::quadtree && plan.on_cpu()) {
     plan.set_lens("quadtree");
     plan.pass("trace_rays, double", WorkMoment::position, 0, 0, plan.why("grid.scheme"));
-    return plan.pixel_pass("read_quadtree_pixels", plan.why("grid.scheme"));
+    plan.pixel_pass("read_quadtree_pixels", plan.why("grid.scheme"));
+    return ShadedByLens::never;
   }
   const bool streamed = plan.request().streamed && plan.request().lens != LensChoice::live;
   if (!streamed && !asked && !is_worth_a_grid(plan.request().backend, pixels)) {
-    return plan_direct(plan, channels, plan.why("view.size_px"));
+    plan_direct(plan, channels, plan.why("view.size_px"));
+    return ShadedByLens::never;
   }
   plan.set_lens(streamed ? "streamed" : "live");
   plan_grid(plan, quality, streamed);
   plan.buffer("lens grid", WorkMoment::position, 0, quality);
-  plan.pixel_pass(variant(channels, "look_up_pixels"), quality, !asked);
-  const bool converge = plan.minimum().stereo.convergence > 0.0 && plan.minimum().stereo.baseline > 0.0;
-  if (plan.makes_eyes_in_turn() && !converge) {
-    // If both eyes have grids, these are read together.
-    plan.buffer("second lens channels", WorkMoment::start, 0, plan.why("stereo.layout"));
+  const bool on_tiles = plan.on_cpu() && shades_on_tiles(plan.request().mode, shading.filter, shading.brightening);
+  if (!on_tiles) {
+    plan.pixel_pass(variant(channels, plan.on_cpu() ? "look_up_tiles" : "look_up_pixels"), quality, !asked);
   }
   if (!asked) {
     // Rays are used if a grid would leave a quarter of the pixels or more to rays.
@@ -108,6 +113,10 @@ void plan_lens(PlanWriter& plan, const LensChannels& channels, const ShellsFollo
     }
   }
   plan.buffer("shadow edge", WorkMoment::picture, 0, quality);
+  if (!on_tiles) {
+    return ShadedByLens::never;
+  }
+  return asked ? ShadedByLens::always : ShadedByLens::possibly;
 }
 
 }  // namespace ergodome

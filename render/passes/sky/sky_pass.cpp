@@ -80,14 +80,13 @@ std::unique_ptr<LensSource> SkyPass::lens_for(const EyeCamera& eye, const Projec
       {settings.lens, eye, projection, settings.mode, settings.accuracy, settings.moment, settings.scheme});
 }
 
-LensPixels SkyPass::channels(std::size_t pixels, const PictureSettings& settings, bool second) {
+LensPixels SkyPass::channels(std::size_t pixels, const PictureSettings& settings) {
   const LensChannels wanted = lens_channels(settings.mode, {settings.filter, settings.shift, settings.brightening});
   const auto count = static_cast<std::size_t>(wanted.floats());
-  Buffer<float>& room = second ? second_lens_ : lens_;
-  if (room.size() < count * pixels) {
-    room = Buffer<float>(backend_, count * pixels, second ? "second lens channels" : "lens channels");
+  if (lens_.size() < count * pixels) {
+    lens_ = Buffer<float>(backend_, count * pixels, "lens channels");
   }
-  float* next = room.data();
+  float* next = lens_.data();
   const auto take = [&](bool needed) {
     float* channel = needed ? next : nullptr;
     next += needed ? pixels : 0;
@@ -128,22 +127,6 @@ void SkyDrawing::draw(const RowBlock& rows, float* rgba) {
   if (!shaded_by_lens_) {
     lens_->fill(rows.first, rows.count, shade_.lens);
     shade();
-  }
-}
-
-void SkyDrawing::draw_both(SkyDrawing& first, SkyDrawing& second, const RowBlock& rows, float* rgba,
-                           float* rgba_of_second) {
-  const std::size_t pixels = sky_pixels(first.picture_, rows.count);
-  first.shade_.lens = first.pass_.channels(pixels, first.picture_.settings);
-  second.shade_.lens = second.pass_.channels(pixels, second.picture_.settings, true);
-  first.aim(rows, rgba);
-  second.aim(rows, rgba_of_second);
-  first.shaded_by_lens_ = first.lens_->shade(rows.first, rows.count, first.shade_);
-  second.shaded_by_lens_ = second.lens_->shade(rows.first, rows.count, second.shade_);
-  if (!first.shaded_by_lens_ && !second.shaded_by_lens_) {
-    first.lens_->fill_both(*second.lens_, rows.first, rows.count, first.shade_.lens, second.shade_.lens);
-    first.shade();
-    second.shade();
   }
 }
 

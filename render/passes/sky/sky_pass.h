@@ -32,15 +32,12 @@ class SkyPass {
  private:
   friend class SkyDrawing;
 
-  //! Returns pointers to the channels that a picture needs; the others are null. `second`: in the
-  //! buffer of the second eye.
-  LensPixels channels(std::size_t pixels, const PictureSettings& settings, bool second = false);
+  //! Returns pointers to the channels that a picture needs; the others are null.
+  LensPixels channels(std::size_t pixels, const PictureSettings& settings);
 
   Backend backend_;
   LensChooser lenses_;
   Buffer<float> lens_;
-  //! Channels of the second eye, if the lenses of both eyes are read together.
-  Buffer<float> second_lens_;
 };
 
 //! Draws the sky of one picture.
@@ -53,10 +50,6 @@ class SkyDrawing {
   [[nodiscard]] const LensSource& lens() const { return *lens_; }
   //! Renders rows of the picture into the backend's memory: four floats per pixel.
   void draw(const RowBlock& rows, float* rgba);
-
-  //! Renders the same rows of two pictures whose lenses share work.
-  static void draw_both(SkyDrawing& first, SkyDrawing& second, const RowBlock& rows, float* rgba,
-                        float* rgba_of_second);
 
   //! Returns the number of rays of the last drawn rows that did not converge.
   [[nodiscard]] long count_unresolved() const;

@@ -1,3 +1,4 @@
+#include "kernels/lens/tile_shading.h"
 #include "render/passes/near_field/near_field_kind.h"
 #include "render/passes/sky/column_sums.h"
 #include "render/passes/sky/lens_plan.h"
@@ -54,7 +55,7 @@ void plan_map(PlanWriter& plan, const SkyShading& shading) {
   }
 }
 
-void plan_shading(PlanWriter& plan, const SkyShading& shading) {
+void plan_shading(PlanWriter& plan, const SkyShading& shading, ShadedByLens by_lens) {
   plan_map(plan, shading);
   if (plan.request().mode != ViewMode::sky) {
     return plan.pixel_pass("shade_heat_map", plan.why_view());
@@ -69,7 +70,14 @@ void plan_shading(PlanWriter& plan, const SkyShading& shading) {
   if (shading.brightening) {
     reason += ", " + plan.why("sky.brightening");
   }
-  plan.pixel_pass(shading_name(shading.filter, shading.shift, shading.brightening), reason);
+  if (by_lens != ShadedByLens::never) {
+    plan.pixel_pass(tile_shading_name(shading.filter, shading.shift), plan.why("quality.budget_px") + ", " + reason,
+                    by_lens == ShadedByLens::possibly);
+  }
+  if (by_lens != ShadedByLens::always) {
+    plan.pixel_pass(shading_name(shading.filter, shading.shift, shading.brightening), reason,
+                    by_lens == ShadedByLens::possibly);
+  }
 }
 
 }  // namespace
@@ -79,8 +87,9 @@ void plan_sky(PlanWriter& plan) {
   const LensChannels channels = lens_channels(plan.request().mode, shading);
   plan_channels(plan, channels, shading);
   const auto follows_shells = [&](const Show& show) { return near_field_needs(show, plan.request().mode).shells; };
-  plan_lens(plan, channels, {follows_shells(plan.maximum()), follows_shells(plan.minimum())});
-  plan_shading(plan, shading);
+  const ShadedByLens by_lens =
+      plan_lens(plan, shading, {follows_shells(plan.maximum()), follows_shells(plan.minimum())});
+  plan_shading(plan, shading, by_lens);
 }
 
 }  // namespace ergodome
