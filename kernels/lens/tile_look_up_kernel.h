@@ -207,8 +207,10 @@ struct LookUpTiles {
       T x_px;
       T y_px;
       for (int i = 0; i < lanes; ++i) {
-        set_lane(x_px, i, static_cast<float>(x + (first + i) % Side) + 0.5F);
-        set_lane(y_px, i, static_cast<float>(y + (first + i) / Side) + 0.5F);
+        const int column = (first + i) % Side;
+        const int row = (first + i) / Side;
+        set_lane(x_px, i, static_cast<float>(x + column) + 0.5F);
+        set_lane(y_px, i, static_cast<float>(y + row) + 0.5F);
       }
       const T inside = image_coverage(projection, x_px, y_px);
       store_lanes(cover.inside, first, Side * Side, inside);

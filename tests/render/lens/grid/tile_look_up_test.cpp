@@ -142,6 +142,7 @@ struct LitPixels {
 
 std::vector<double> sorted_errors(const std::vector<std::size_t>& of, const Channels& a, const Channels& b) {
   std::vector<double> errors;
+  errors.reserve(of.size());
   for (const std::size_t pixel : of) {
     errors.push_back(displacement_px(a, b, pixel));
   }
@@ -205,11 +206,14 @@ TEST(TileLookUp, TilesAtTheShadowAreRefused) {
   const Channels tiles = c.read(GridReading::tiles);
   const Channels pixels = c.read(GridReading::pixels);
   const int width = c.projection.width_px;
+  const auto number_of = [width](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  };
   const double middle = 0.5 * width;
   int edges = 0;
   for (int y = 3; y < width - 3; ++y) {
     for (int x = 3; x < width - 3; ++x) {
-      const auto pixel = static_cast<std::size_t>(y * width + x);
+      const std::size_t pixel = number_of(x, y);
       // The rim of the dome has partly covered pixels, too.
       const bool inside = std::hypot(x + 0.5 - middle, y + 0.5 - middle) < middle - 4.0;
       if (!inside || pixels.coverage(pixel) == 0.0 || pixels.coverage(pixel) == 1.0) {
@@ -218,7 +222,7 @@ TEST(TileLookUp, TilesAtTheShadowAreRefused) {
       ++edges;
       for (int dy = -2; dy <= 2; ++dy) {
         for (int dx = -2; dx <= 2; ++dx) {
-          const auto beside = static_cast<std::size_t>((y + dy) * width + x + dx);
+          const std::size_t beside = number_of(x + dx, y + dy);
           // Interpolated pixels are lit as a whole or not at all. At the edge, the lens magnifies
           // rounding.
           ASSERT_EQ(tiles.coverage(beside), pixels.coverage(beside)) << x + dx << ", " << y + dy;
