@@ -168,7 +168,7 @@ TEST_F(StreamedDiskPictures, AreMadeWithoutLayersThatAreDamaged) {
   DiskRenderer streamed(read);
   const std::vector<float> made = picture(streamed, 0.1, {}, LensChoice::automatic);
   EXPECT_FALSE(did("look_up_disk"));
-  EXPECT_TRUE(did("look_up_pixels, footprints"));
+  EXPECT_TRUE(did("shade_tiles"));
   EXPECT_THAT(said_, testing::HasSubstr("station 1, disk: is damaged"));
   EXPECT_EQ(read->statistics().lost_disks, 1);
   DiskRenderer direct;
