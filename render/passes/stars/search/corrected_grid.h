@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "content/trajectory/lens_station.h"
@@ -31,6 +32,12 @@ class CorrectedGrid {
   //! The station must have been built with GridSettings::inverted; otherwise its errors are
   //! unknown.
   explicit CorrectedGrid(const LensStation& station);
+
+  //! The grid of a camera beside that of `other`, whose rays give `nodes`. The displacements at the
+  //! checks, in fractions of a leaf, hardly differ.
+  CorrectedGrid(const CorrectedGrid& other, std::vector<float> nodes) : CorrectedGrid(other) {
+    nodes_ = std::move(nodes);
+  }
 
   //! Returns the errors of a leaf. Unknown errors are huge, so that no star image in it counts as
   //! exact, and rays refine them all.

@@ -42,7 +42,9 @@ bool serves_pixel(double found_for, double pixel, bool about) {
   return about ? found_for <= 1.01 * pixel && found_for >= 0.5 * pixel : found_for == pixel;
 }
 
-LensStation build_star_station(const StarEye& eye, const StarSettings& settings, GridTracer<float>* tracer) {
+namespace {
+
+GridSettings star_grid(const StarEye& eye, const StarSettings& settings) {
   GridSettings grid;
   grid.pixel = settings.pixel;
   grid.budget_px = std::max(grid_budget_px, float_budget / settings.pixel);
@@ -50,8 +52,21 @@ LensStation build_star_station(const StarEye& eye, const StarSettings& settings,
   grid.fine = false;
   grid.min_area_px = settings.min_cell_px;
   grid.inverted = true;
+  return grid;
+}
+
+}  // namespace
+
+LensStation build_star_station(const StarEye& eye, const StarSettings& settings, GridTracer<float>* tracer) {
+  const GridSettings grid = star_grid(eye, settings);
   return eye.omni ? build_omni_station(*eye.omni, grid)
                   : build_lens_station(eye.camera.spacetime, eye.camera.r, eye.camera.theta, grid, nullptr, tracer);
+}
+
+LensStation build_moving_station(const EyeCamera& eye, const StarSettings& settings, GridTracer<float>* tracer) {
+  GridSettings grid = star_grid(eye, settings);
+  grid.derivatives = true;
+  return build_lens_station(eye.spacetime, eye.r, eye.theta, grid, nullptr, tracer);
 }
 
 StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,

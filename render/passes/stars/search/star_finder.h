@@ -49,6 +49,9 @@ struct DeviceSearch {
 //! its pixel sees the star.
 LensStation build_star_station(const StarEye& eye, const StarSettings& settings, GridTracer<float>* tracer = nullptr);
 
+//! Builds the grid of a single camera, with its derivatives along the camera's r and θ.
+LensStation build_moving_station(const EyeCamera& eye, const StarSettings& settings, GridTracer<float>* tracer = nullptr);
+
 //! Inverts a lens grid for an eye at the grid's position. `station` and `settings` must be the same
 //! as in the following call of find_star_images().
 StarPatches star_patches(const StarField& field, const BlackbodyTable& colours, const StarEye& eye,

@@ -158,6 +158,22 @@ StarPatches::StarPatches(const LensStation& station, const StarField& field, con
   join(room);
 }
 
+StarPatches::StarPatches(StarPatches&& other, std::vector<StarPatch> patches) : StarPatches(std::move(other)) {
+  patches_ = std::move(patches);
+}
+
+StarPatches::StarPatches(const StarPatches& middle, const LensStation& there, std::vector<float> nodes,
+                         std::vector<StarPatch> patches)
+    : corrected_(middle.corrected_, std::move(nodes)),
+      edge_(there.edge),
+      chart_(grid_view(there).chart),
+      mirrored_(middle.mirrored_),
+      faintest_(middle.faintest_),
+      exactness_(middle.exactness_),
+      patches_(std::move(patches)) {
+  chart_.edge.polar_angle = edge_.data();
+}
+
 //! Concatenates the patches of all chunks (PatchRoom::parts), in order.
 void StarPatches::join(PatchRoom& room) {
   const std::vector<std::vector<StarPatch>>& parts = room.parts;

@@ -61,6 +61,12 @@ class StarPatches {
   //! needed afterwards.
   StarPatches(const LensStation& station, const StarField& field, const ImageLight& light, float faintest,
               const GridExactness& exactness, PatchRoom& room);
+  //! Replaces the array of patches.
+  StarPatches(StarPatches&& other, std::vector<StarPatch> patches);
+  //! The patches of a camera beside that of `middle`. `there`: the camera's chart; `nodes`: traced
+  //! nodes of the grid there.
+  StarPatches(const StarPatches& middle, const LensStation& there, std::vector<float> nodes,
+              std::vector<StarPatch> patches);
   StarPatches(StarPatches&&) = default;
   StarPatches& operator=(StarPatches&&) = default;
 

@@ -1,0 +1,175 @@
+#include "render/passes/stars/search/moving_patches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "kernels/core/angles.h"
+#include "kernels/launch/parallel_for.h"
+#include "kernels/spacetime/kerr/kerr.h"
+#include "kernels/spacetime/shadow/critical_curve.h"
+#include "render/lens/grid/edge_table.h"
+#include "render/lens/stations/station_derivatives.h"
+#include "render/passes/stars/search/sky_frustum.h"
+
+namespace ergodome {
+
+namespace {
+
+//! Minimum height above the horizon [M] and minimum angle from the spin axis [rad] of cells.
+constexpr double min_cell_height = 0.5;
+constexpr double min_cell_angle = 0.1;
+constexpr int moved_patches_a_chunk = 512;
+
+double middle_of_cell(double coordinate) { return (std::floor(coordinate / position_cell) + 0.5) * position_cell; }
+
+//! Returns the part of a patch that begins at (begin_u, begin_v) and has the given size, a power of
+//! two along each axis.
+BezierPatch part_of_patch(const BezierPatch& whole, double begin_u, double size_u, double begin_v, double size_v) {
+  BezierPatch part = whole;
+  const auto narrow = [&](int axis, double begin, double size) {
+    for (; size < 0.75; size *= 2.0) {
+      BezierPatch first;
+      BezierPatch second;
+      split(part, axis, first, second);
+      const bool lower = begin + 0.5 * size < 0.5;
+      part = lower ? first : second;
+      begin = 2.0 * begin - (lower ? 0.0 : 1.0);
+    }
+  };
+  narrow(0, begin_u, size_u);
+  narrow(1, begin_v, size_v);
+  return part;
+}
+
+glm::dvec3 glm_of(const Vector3<double>& v) { return {v.x, v.y, v.z}; }
+
+//! Returns a rotation of the sky in the axes of a patch.
+glm::mat3 in_patch_axes(const glm::dmat3& turn, const PatchFrame& frame) {
+  const glm::dmat3 axes(glm_of(frame.first), glm_of(frame.second), glm_of(frame.axis));
+  return glm::mat3(glm::transpose(axes) * turn * axes);
+}
+
+double rotation_angle(const glm::dmat3& turn) {
+  return std::acos(std::clamp(0.5 * (turn[0][0] + turn[1][1] + turn[2][2] - 1.0), -1.0, 1.0));
+}
+
+}  // namespace
+
+std::optional<LensPosition> cell_middle(Spacetime spacetime, const LensPosition& position) {
+  const double horizon = horizon_radius(spacetime);
+  const double height = position.r - horizon;
+  if (!(height > min_cell_height && position.theta > min_cell_angle && position.theta < pi - min_cell_angle)) {
+    return std::nullopt;
+  }
+  return LensPosition{horizon + std::exp(middle_of_cell(std::log(height))), middle_of_cell(position.theta)};
+}
+
+MovingPatches::MovingPatches(LensStation station, StarPatches patches)
+    : station_(std::move(station)),
+      patches_(std::move(patches)),
+      reach_{std::expm1(0.5 * position_cell) * (station_.r - horizon_radius(station_.spacetime)), 0.5 * position_cell} {
+  LensGrid along_r = grid_view(station_);
+  LensGrid along_theta = along_r;
+  along_r.nodes = station_.nodes_along_r.data();
+  along_theta.nodes = station_.nodes_along_theta.data();
+  const std::vector<LeafBox> boxes = leaf_boxes(station_);
+  std::vector<StarPatch> wider = std::move(patches_).given_up();
+  motions_.resize(wider.size());
+  parallel_for(static_cast<int>(wider.size()), moved_patches_a_chunk, [&](int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+      StarPatch& patch = wider[i];
+      const LeafBox& box = boxes[static_cast<std::size_t>(patch.leaf)];
+      const auto motion = [&](const LensGrid& grid) {
+        const BezierPatch whole =
+            bezier_patch(grid, patch.leaf, static_cast<float>(box.width_turns), static_cast<float>(box.height));
+        const auto share = [](float from, double begin_at, double size) {
+          return (static_cast<double>(from) - begin_at) / size;
+        };
+        return in_frame(part_of_patch(whole, share(patch.gamma_turns, box.gamma_turns, box.width_turns),
+                                      share(patch.width_turns, 0.0, box.width_turns), share(patch.s, box.s, box.height),
+                                      share(patch.height, 0.0, box.height)),
+                        patch.frame);
+      };
+      motions_[i] = {motion(along_r), motion(along_theta)};
+      widen(patch, motions_[i]);
+    }
+  });
+  patches_ = StarPatches(std::move(patches_), std::move(wider));
+  // Only the nodes of rays are needed from here on.
+  station_.nodes = station_.traced_nodes;
+}
+
+//! Widens the part of the sky in which the stars of a patch are sought, so that it contains the
+//! patch at all positions in the cell.
+void MovingPatches::widen(StarPatch& patch, const Motion& motion) const {
+  const LensPosition middle = {station_.r, station_.theta};
+  double angle = 0.0;
+  for (const double side : {-1.0, 1.0}) {
+    angle = std::max(angle, rotation_angle(frame_rotation(station_.spacetime, middle,
+                                                          {middle.r + side * reach_.r, middle.theta + reach_.theta})));
+  }
+  double farthest = 0.0;
+  double cosine = 1.0;
+  for (int i = 0; i < 16; ++i) {
+    const auto length = [](const Vector3<double>& v) { return std::sqrt(dot(v, v)); };
+    const Vector3<double> point = control_point(patch.sky, i);
+    const double size = std::max(length(point), 1e-3);
+    farthest = std::max(farthest, (reach_.r * length(control_point(motion.along_r, i)) +
+                                   reach_.theta * length(control_point(motion.along_theta, i))) /
+                                      size);
+    cosine = std::min(cosine, point.z / size);
+  }
+  // Distances in the plane z = 1 exceed the angles behind them by a factor of 1 / cosine².
+  const double beside = (angle + farthest) / std::max(cosine * cosine, 1e-2);
+  patch.part = sky_part(frustum_of(patch.sky, patch.frame, static_cast<double>(patch.error) + beside));
+}
+
+LensStation MovingPatches::station_at(const LensPosition& position) const {
+  LensStation there;
+  there.spacetime = station_.spacetime;
+  there.r = position.r;
+  there.theta = position.theta;
+  const CameraStation rain =
+      make_camera_station(station_.spacetime, position.r, position.theta, 0.0, ObserverMotion::rain);
+  const ShadowChart chart = make_shadow_chart(rain);
+  there.edge = solve_edge(rain, chart, edge_points);
+  const EdgeCurve edge = edge_view(chart, there.edge);
+  there.centre = edge.centre;
+  there.first = edge.first;
+  there.second = edge.second;
+  there.range = station_.range;
+  there.columns = station_.columns;
+  there.rows = station_.rows;
+  return there;
+}
+
+StarPatches MovingPatches::patches_at(const LensStation& there, PatchRoom& room) const {
+  const LensPosition offset = {there.r - station_.r, there.theta - station_.theta};
+  const glm::dmat3 turn =
+      frame_rotation(station_.spacetime, {station_.r, station_.theta}, {there.r, there.theta});
+  const std::vector<StarPatch>& from = patches_.patches();
+  std::vector<StarPatch> moved = std::move(room.patches);
+  moved.resize(from.size());
+  const auto along_r = static_cast<float>(offset.r);
+  const auto along_theta = static_cast<float>(offset.theta);
+  parallel_for(static_cast<int>(from.size()), moved_patches_a_chunk, [&](int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+      const Motion& motion = motions_[i];
+      const glm::mat3 m = in_patch_axes(turn, from[i].frame);
+      StarPatch& to = moved[i];
+      to = from[i];
+      for (int k = 0; k < 16; ++k) {
+        const float x = from[i].sky.x[k] + along_r * motion.along_r.x[k] + along_theta * motion.along_theta.x[k];
+        const float y = from[i].sky.y[k] + along_r * motion.along_r.y[k] + along_theta * motion.along_theta.y[k];
+        const float z = from[i].sky.z[k] + along_r * motion.along_r.z[k] + along_theta * motion.along_theta.z[k];
+        to.sky.x[k] = m[0][0] * x + m[1][0] * y + m[2][0] * z;
+        to.sky.y[k] = m[0][1] * x + m[1][1] * y + m[2][1] * z;
+        to.sky.z[k] = m[0][2] * x + m[1][2] * y + m[2][2] * z;
+      }
+    }
+  });
+  return {patches_, there, moved_nodes(station_, offset, turn), std::move(moved)};
+}
+
+}  // namespace ergodome

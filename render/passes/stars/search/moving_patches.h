@@ -1,0 +1,55 @@
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <optional>
+#include <vector>
+
+#include "render/lens/stations/lens_position.h"
+#include "render/passes/stars/search/star_patches.h"
+
+namespace ergodome {
+
+//! Cells of camera positions: in each, one star grid serves all positions. The cells are fixed, so
+//! the grid for a position does not depend on where the camera was before.
+//!
+//! Extent of a cell along the logarithm of the height above the horizon, and along θ [rad].
+inline constexpr double position_cell = 0.005;
+
+//! Returns the middle of the cell that contains a position; nothing where the lens varies too much
+//! within a cell: near the horizon, inside it, and near the spin axis.
+std::optional<LensPosition> cell_middle(Spacetime spacetime, const LensPosition& position);
+
+//! Patches for the search of star images at all camera positions in a cell.
+//!
+//! The patches for the middle of the cell are moved to first order, by the derivatives of the
+//! grid's nodes with respect to the camera's r and θ. That takes a twentieth of the time of
+//! tracing and inverting a grid for the position.
+class MovingPatches {
+ public:
+  //! `station`: the grid of the middle of the cell, built with GridSettings::inverted and
+  //! GridSettings::derivatives. `patches`: the patches for it.
+  MovingPatches(LensStation station, StarPatches patches);
+
+  //! Returns the chart of a position in the cell, as a station without nodes.
+  [[nodiscard]] LensStation station_at(const LensPosition& position) const;
+
+  //! Returns the patches for a position in the cell. `there`: the result of station_at(). Takes
+  //! the memory of `room.patches`.
+  [[nodiscard]] StarPatches patches_at(const LensStation& there, PatchRoom& room) const;
+
+ private:
+  //! Derivatives of a patch with respect to the camera's r and θ, in the patch's frame.
+  struct Motion {
+    BezierPatch along_r;
+    BezierPatch along_theta;
+  };
+
+  void widen(StarPatch& patch, const Motion& motion) const;
+
+  LensStation station_;
+  StarPatches patches_;
+  std::vector<Motion> motions_;
+  LensPosition reach_;  //!< largest offset from the middle of the cell
+};
+
+}  // namespace ergodome
