@@ -93,14 +93,16 @@ void star_gathered_picture(benchmark::State& state) {
 }
 
 //! How the camera changes from picture to picture. `goes_round_in_sizes`: it goes around the hole
-//! while the width of the picture changes.
-enum class Way { turns, goes_round, goes_round_in_sizes };
+//! while the width of the picture changes. `approaches`: it also moves toward the hole and changes
+//! its latitude, so that
+//! each picture is from a new position.
+enum class Way { turns, goes_round, goes_round_in_sizes, approaches };
 
 //! Draws the stars of consecutive pictures of a window. `way`: the camera turns by two degrees per
 //! picture, goes around the hole, or goes around it while the picture's width changes (as when the
 //! player adapts it to the available time). `match`: whether star images that were found for pixels
 //! of about the same size are reused, or only those for exactly this size.
-void star_pictures(benchmark::State& state, Way way, PixelMatch match) {
+void star_pictures(benchmark::State& state, Way way, PixelMatch match, CameraCourse course = CameraCourse::any) {
   Show show;
   show.sky.stars = state.range(0) > 10'000 ? "all_stars" : "bright_stars";
   show.sky.faintest_mag = 10.0;
@@ -112,11 +114,16 @@ void star_pictures(benchmark::State& state, Way way, PixelMatch match) {
     const int width = way == Way::goes_round_in_sizes ? 1000 + 7 * (picture % 7) : 1024;
     const Projection projection = make_dome_projection(width, pi, 0.5);
     camera.phi += way == Way::turns ? 0.0 : 1e-3;
+    if (way == Way::approaches) {
+      camera.r = camera.head_r = 5.0 * std::exp(-2e-4 * picture);
+      camera.theta = camera.head_theta = 1.5 + 4e-5 * picture;
+      camera.motion = ObserverMotion::zamo;
+    }
     const double turn = way == Way::turns ? 2.0 * one_degree * picture : 0.0;
     const double at_hole[3][3] = {
         {std::sin(turn), 0, std::cos(turn)}, {0, -1, 0}, {std::cos(turn), 0, -std::sin(turn)}};
     std::copy(&at_hole[0][0], &at_hole[0][0] + 9, &camera.frame_from_view[0][0]);
-    pass.draw(pass.find(camera, projection, {}, match), projection, 0, width, rgba.data());
+    pass.draw(pass.find(camera, projection, {}, match, course), projection, 0, width, rgba.data());
     ++picture;
   };
   while (picture < 8) {
@@ -137,6 +144,10 @@ BENCHMARK_CAPTURE(star_pictures, goes_round, Way::goes_round, PixelMatch::about)
 BENCHMARK_CAPTURE(star_pictures, goes_round_in_sizes, Way::goes_round_in_sizes, PixelMatch::about)
     ->Apply(of_both_catalogues);
 BENCHMARK_CAPTURE(star_pictures, goes_round_in_sizes_of_their_own, Way::goes_round_in_sizes, PixelMatch::exact)
+    ->Apply(of_both_catalogues);
+BENCHMARK_CAPTURE(star_pictures, approaches, Way::approaches, PixelMatch::exact, CameraCourse::slow)
+    ->Apply(of_both_catalogues);
+BENCHMARK_CAPTURE(star_pictures, approaches_with_own_grids, Way::approaches, PixelMatch::exact, CameraCourse::any)
     ->Apply(of_both_catalogues);
 BENCHMARK(star_place)
     ->Args({5000, 250})

@@ -125,7 +125,8 @@ class StarPass::Drawing : public PassDrawing {
 
   FoundPoints find() const {
     const UrgentDeviceWork urgent(pass_.backend_);
-    return pass_.find_points(eye_of(picture_), picture_.projection, picture_.settings.shutter, match_of(picture_));
+    return pass_.find_points(eye_of(picture_), picture_.projection, picture_.settings.shutter, match_of(picture_),
+                             course_of(picture_));
   }
 
   //! Passes the points to TiledStars, which draws on a GPU. Points in host memory are copied to the
@@ -153,7 +154,8 @@ class StarPass::ApartDrawing : public PassDrawing {
         seeking_(std::async(pass.backend_ == Backend::cpu ? std::launch::deferred : std::launch::async,
                             [&pass, &picture, pixel = lights_.pixel] {
                               const UrgentDeviceWork urgent(pass.backend_);
-                              return pass.lights(eye_of(picture), picture.projection, pixel, match_of(picture));
+                              return pass.lights(eye_of(picture), picture.projection, pixel, match_of(picture),
+                                                 course_of(picture));
                             })) {}
 
   void draw(const RowBlock& /*rows*/, float* /*rgba*/) override {
@@ -263,11 +265,64 @@ void StarPass::set_numbers(const Show& show) {
   splat_ = splat_settings(show, spikes_);
 }
 
+const StarPass::CellGrid* StarPass::known_cell(const StarEye& middle, const StarSettings& asked) const {
+  const auto found = std::ranges::find_if(cells_, [&](const CellGrid& each) {
+    return serves_pixel(each.pixel, asked.pixel, asked.about) && each.min_cell_px == asked.min_cell_px &&
+           each.faintest == asked.faintest && served_alike(each.eye, middle);
+  });
+  return found != cells_.end() ? &*found : nullptr;
+}
+
+std::optional<StarEye> StarPass::cell_of(const StarEye& eye, const StarSettings& asked) const {
+  if (asked.course == CameraCourse::any || eye.omni || search_) {
+    return std::nullopt;
+  }
+  const auto middle_of = [](const EyeCamera& camera) {
+    return cell_middle(camera.spacetime, {camera.r, camera.theta});
+  };
+  const std::optional<LensPosition> middle = middle_of(eye.camera);
+  if (!middle) {
+    return std::nullopt;
+  }
+  StarEye there = eye;
+  there.camera.r = there.camera.head_r = middle->r;
+  there.camera.theta = there.camera.head_theta = middle->theta;
+  const auto was_here = [&](const InvertedGrid& each) {
+    const std::optional<LensPosition> other = middle_of(each.eye.camera);
+    return !each.eye.omni && other && same_position(*other, *middle) &&
+           each.eye.camera.spacetime == eye.camera.spacetime;
+  };
+  const bool stays = asked.course == CameraCourse::slow || known_cell(there, asked) != nullptr ||
+                     std::ranges::any_of(turned_, was_here);
+  return stays ? std::optional(there) : std::nullopt;
+}
+
+const MovingPatches& StarPass::patches_of_cell(const StarEye& middle, const StarSettings& asked) {
+  if (const CellGrid* known = known_cell(middle, asked)) {
+    std::rotate(cells_.begin(), cells_.begin() + (known - cells_.data()), cells_.begin() + (known - cells_.data()) + 1);
+    return cells_.front().patches;
+  }
+  MotionRoom room;
+  if (cells_.size() == max_eyes) {
+    room = std::move(cells_.back().patches).given_up();
+    cells_.pop_back();
+  }
+  LensStation station = build_moving_station(middle.camera, asked, &tracer_);
+  std::swap(room.patches.parts, room_.parts);
+  StarPatches patches = star_patches(field_, colours_.view(), middle, station, asked, room.patches);
+  std::swap(room.patches.parts, room_.parts);
+  cells_.insert(cells_.begin(), CellGrid{middle, asked.pixel, asked.min_cell_px, asked.faintest,
+                                         MovingPatches(std::move(station), std::move(patches), room)});
+  return cells_.front().patches;
+}
+
 const StarPass::InvertedGrid& StarPass::patches_for(const StarEye& eye, const StarSettings& asked) {
   const double pixel = asked.pixel;
   const auto found = std::ranges::find_if(turned_, [&](const InvertedGrid& each) {
     return serves_pixel(each.pixel, pixel, asked.about) && each.min_cell_px == asked.min_cell_px &&
-           served_alike(each.eye, eye);
+           served_alike(each.eye, eye) &&
+           (asked.course == CameraCourse::unknown || each.moved == cell_of(eye, asked).has_value()) &&
+           !(each.moved && each.faintest != asked.faintest);
   });
   if (found != turned_.end()) {
     if (found->faintest != asked.faintest) {
@@ -292,10 +347,20 @@ const StarPass::InvertedGrid& StarPass::patches_for(const StarEye& eye, const St
     on_device = std::move(turned_.back().on_device);
     turned_.pop_back();
   }
-  LensStation station = build_star_station(eye, asked, &tracer_);
-  StarPatches patches = star_patches(field_, colours_.view(), eye, station, asked, room_);
-  InvertedGrid turned{
-      eye, pixel, asked.min_cell_px, asked.faintest, std::move(station), std::move(patches), std::move(on_device)};
+  const std::optional<StarEye> middle = cell_of(eye, asked);
+  const MovingPatches* const cell = middle ? &patches_of_cell(*middle, asked) : nullptr;
+  LensStation station =
+      cell != nullptr ? cell->station_at({eye.camera.r, eye.camera.theta}) : build_star_station(eye, asked, &tracer_);
+  StarPatches patches = cell != nullptr ? cell->patches_at(station, room_)
+                                        : star_patches(field_, colours_.view(), eye, station, asked, room_);
+  InvertedGrid turned{eye,
+                      pixel,
+                      asked.min_cell_px,
+                      asked.faintest,
+                      std::move(station),
+                      std::move(patches),
+                      cell != nullptr,
+                      std::move(on_device)};
   place(turned);
   turned_.insert(turned_.begin(), std::move(turned));
   return turned_.front();
@@ -350,10 +415,11 @@ PlacedImages StarPass::sought_in_place(const StarEye& eye, const StarSettings& s
 }
 
 StarSettings StarPass::settings_for(const StarEye& eye, const Projection& projection, bool leaves_trails,
-                                    PixelMatch match) const {
+                                    PixelMatch match, CameraCourse course) const {
   StarSettings settings = settings_;
   settings.pixel = pixel_angle(projection);
   settings.about = match == PixelMatch::about;
+  settings.course = course;
   // With trails, images from anywhere may enter the view.
   if (!leaves_trails) {
     const SplatSettings splat = scaled_to(splat_, projection);
@@ -364,23 +430,23 @@ StarSettings StarPass::settings_for(const StarEye& eye, const Projection& projec
 }
 
 FoundPoints StarPass::find_points(const StarEye& eye, const Projection& projection,
-                                  const std::optional<Shutter>& shutter, PixelMatch match) {
+                                  const std::optional<Shutter>& shutter, PixelMatch match, CameraCourse course) {
   if (!search_ || shutter || gathers(eye, pixel_angle(projection))) {
-    return {find(eye, projection, shutter, match), {}};
+    return {find(eye, projection, shutter, match, course), {}};
   }
   const DeviceWorkInOrder in_order(backend_);
   const PlacedImages& images =
-      images_in_place_.images(eye, settings_for(eye, projection, false, match),
+      images_in_place_.images(eye, settings_for(eye, projection, false, match, course),
                               [&](const StarSettings& asked) { return sought_in_place(eye, asked); });
   return {{}, placer_->place(images, eye.camera, projection, scaled_to(splat_, projection))};
 }
 
 std::vector<StarPoint> StarPass::find(const StarEye& eye, const Projection& projection,
-                                      const std::optional<Shutter>& shutter, PixelMatch match) {
+                                      const std::optional<Shutter>& shutter, PixelMatch match, CameraCourse course) {
   if (field_.stars().empty()) {
     return {};
   }
-  const StarSettings settings = settings_for(eye, projection, shutter.has_value(), match);
+  const StarSettings settings = settings_for(eye, projection, shutter.has_value(), match, course);
   const SplatSettings splat = scaled_to(splat_, projection);
   const auto points_of = [&](const std::vector<StarImage>& found) {
     return shutter
@@ -399,12 +465,13 @@ const std::vector<StarImage>& StarPass::images_of(const StarEye& eye, const Proj
   return images_.images(eye, settings, [&](const StarSettings& asked) { return sought_images(eye, asked); });
 }
 
-StarLights StarPass::lights(const StarEye& eye, const Projection& projection, double pixel, PixelMatch match) {
+StarLights StarPass::lights(const StarEye& eye, const Projection& projection, double pixel, PixelMatch match,
+                            CameraCourse course) {
   StarLights lights{pixel, splat_.sigma_px, splat_.reach_px() - 1.0, {}};
   if (field_.stars().empty()) {
     return lights;
   }
-  StarSettings settings = settings_for(eye, projection, false, match);
+  StarSettings settings = settings_for(eye, projection, false, match, course);
   settings.pixel = pixel;
   const std::vector<StarImage>& images = images_of(eye, projection, settings);
   lights.stars.reserve(images.size());

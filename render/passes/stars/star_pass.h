@@ -8,12 +8,14 @@
 #include "render/lens/grid/grid_tracer.h"
 #include "render/passes/effects/diffraction.h"
 #include "render/passes/pass.h"
+#include "render/passes/stars/camera_course.h"
 #include "render/passes/stars/drawing/blackbody_colours.h"
 #include "render/passes/stars/drawing/point_placer.h"
 #include "render/passes/stars/drawing/star_splat.h"
 #include "render/passes/stars/drawing/tiled_stars.h"
 #include "render/passes/stars/gather/star_gather.h"
 #include "render/passes/stars/search/image_joiner.h"
+#include "render/passes/stars/search/moving_patches.h"
 #include "render/passes/stars/search/star_finder.h"
 #include "render/passes/stars/star_image_cache.h"
 #include "render/passes/stars/star_kind.h"
@@ -40,7 +42,7 @@ struct FoundPoints {
 
 //! Draws the stars of a show. Caches the last inverted lens grids: a camera that rotates or moves
 //! around the spin axis needs no new grid. If the camera only rotates, the images of the last
-//! picture are used again, too.
+//! picture are used again, too. A camera that moves slowly uses one grid for a cell of positions.
 class StarPass : public Pass {
  public:
   //! Loads the catalog. Throws Error if it cannot be read. On a GPU backend, images are also sought
@@ -71,16 +73,17 @@ class StarPass : public Pass {
   //! Finds the star images of an eye, and their trails if there is a shutter. The images are exact,
   //! whatever lens method the map uses.
   std::vector<StarPoint> find(const StarEye& eye, const Projection& projection, const std::optional<Shutter>& shutter,
-                              PixelMatch match = PixelMatch::exact);
+                              PixelMatch match = PixelMatch::exact, CameraCourse course = CameraCourse::any);
 
   //! Finds the same images as find(), but leaves them in GPU memory if they are found there and
   //! have no trails. Results in GPU memory are valid until the next call.
   FoundPoints find_points(const StarEye& eye, const Projection& projection, const std::optional<Shutter>& shutter,
-                          PixelMatch match);
+                          PixelMatch match, CameraCourse course);
 
   //! Finds the star images of an eye for an output that draws them (Picture::stars). `pixel`: angle
   //! of its pixels [rad].
-  StarLights lights(const StarEye& eye, const Projection& projection, double pixel, PixelMatch match);
+  StarLights lights(const StarEye& eye, const Projection& projection, double pixel, PixelMatch match,
+                    CameraCourse course);
 
   //! splat_for() returns how points are drawn for a projection. spikes() returns the pattern of
   //! spikes, nullptr if the show has none.
@@ -99,7 +102,7 @@ class StarPass : public Pass {
 
   //! Returns the search settings for a picture.
   [[nodiscard]] StarSettings settings_for(const StarEye& eye, const Projection& projection, bool leaves_trails,
-                                          PixelMatch match) const;
+                                          PixelMatch match, CameraCourse course) const;
 
   //! Returns whether each pixel gathers its stars: because the show requests it, or because the
   //! lens grid displaces the shadow's edge and thus the images beside it.
@@ -126,10 +129,26 @@ class StarPass : public Pass {
     float faintest;  //!< threshold for which the patches were computed [lx]
     LensStation station;
     StarPatches patches;
-    std::unique_ptr<PlacedPatches> on_device;
+    bool moved = false;  //!< the patches were moved from the middle of a cell
+    std::unique_ptr<PlacedPatches> on_device{};
+  };
+
+  //! The patches of a cell of positions with the parameters for which they were computed.
+  struct CellGrid {
+    StarEye eye;  //!< in the middle of the cell
+    double pixel;
+    double min_cell_px;
+    float faintest;
+    MovingPatches patches;
   };
 
   void place(InvertedGrid& turned) const;
+
+  //! Returns an eye in the middle of the cell whose patches are moved for `eye`; nothing if a grid
+  //! is built for its position.
+  [[nodiscard]] std::optional<StarEye> cell_of(const StarEye& eye, const StarSettings& asked) const;
+  const MovingPatches& patches_of_cell(const StarEye& middle, const StarSettings& asked);
+  [[nodiscard]] const CellGrid* known_cell(const StarEye& middle, const StarSettings& asked) const;
 
   const InvertedGrid& patches_for(const StarEye& eye, const StarSettings& settings);
 
@@ -151,6 +170,7 @@ class StarPass : public Pass {
   std::optional<DiffractionSettings> pattern_;  //!< settings from which `spikes_` was computed
   GridTracer<float> tracer_;
   std::vector<InvertedGrid> turned_;  //!< inverted grids of the last eyes, most recent first
+  std::vector<CellGrid> cells_;       //!< cells of the last eyes, most recent first
   PatchRoom room_;
   StarImageCache<std::vector<StarImage>> images_;
   StarImageCache<PlacedImages> images_in_place_;

@@ -65,10 +65,16 @@ std::optional<LensPosition> cell_middle(Spacetime spacetime, const LensPosition&
   return LensPosition{horizon + std::exp(middle_of_cell(std::log(height))), middle_of_cell(position.theta)};
 }
 
-MovingPatches::MovingPatches(LensStation station, StarPatches patches)
+MovingPatches::MovingPatches(LensStation station, StarPatches patches, MotionRoom& room)
     : station_(std::move(station)),
       patches_(std::move(patches)),
+      motions_(std::move(room.motions)),
       reach_{std::expm1(0.5 * position_cell) * (station_.r - horizon_radius(station_.spacetime)), 0.5 * position_cell} {
+  const LensPosition middle = {station_.r, station_.theta};
+  for (const double side : {-1.0, 1.0}) {
+    const LensPosition corner = {middle.r + side * reach_.r, middle.theta + reach_.theta};
+    largest_turn_ = std::max(largest_turn_, rotation_angle(frame_rotation(station_.spacetime, middle, corner)));
+  }
   LensGrid along_r = grid_view(station_);
   LensGrid along_theta = along_r;
   along_r.nodes = station_.nodes_along_r.data();
@@ -100,15 +106,16 @@ MovingPatches::MovingPatches(LensStation station, StarPatches patches)
   station_.nodes = station_.traced_nodes;
 }
 
+MotionRoom MovingPatches::given_up() && {
+  MotionRoom room;
+  room.patches.patches = std::move(patches_).given_up();
+  room.motions = std::move(motions_);
+  return room;
+}
+
 //! Widens the part of the sky in which the stars of a patch are sought, so that it contains the
 //! patch at all positions in the cell.
-void MovingPatches::widen(StarPatch& patch, const Motion& motion) const {
-  const LensPosition middle = {station_.r, station_.theta};
-  double angle = 0.0;
-  for (const double side : {-1.0, 1.0}) {
-    angle = std::max(angle, rotation_angle(frame_rotation(station_.spacetime, middle,
-                                                          {middle.r + side * reach_.r, middle.theta + reach_.theta})));
-  }
+void MovingPatches::widen(StarPatch& patch, const PatchMotion& motion) const {
   double farthest = 0.0;
   double cosine = 1.0;
   for (int i = 0; i < 16; ++i) {
@@ -121,7 +128,7 @@ void MovingPatches::widen(StarPatch& patch, const Motion& motion) const {
     cosine = std::min(cosine, point.z / size);
   }
   // Distances in the plane z = 1 exceed the angles behind them by a factor of 1 / cosine².
-  const double beside = (angle + farthest) / std::max(cosine * cosine, 1e-2);
+  const double beside = (largest_turn_ + farthest) / std::max(cosine * cosine, 1e-2);
   patch.part = sky_part(frustum_of(patch.sky, patch.frame, static_cast<double>(patch.error) + beside));
 }
 
@@ -146,8 +153,7 @@ LensStation MovingPatches::station_at(const LensPosition& position) const {
 
 StarPatches MovingPatches::patches_at(const LensStation& there, PatchRoom& room) const {
   const LensPosition offset = {there.r - station_.r, there.theta - station_.theta};
-  const glm::dmat3 turn =
-      frame_rotation(station_.spacetime, {station_.r, station_.theta}, {there.r, there.theta});
+  const glm::dmat3 turn = frame_rotation(station_.spacetime, {station_.r, station_.theta}, {there.r, there.theta});
   const std::vector<StarPatch>& from = patches_.patches();
   std::vector<StarPatch> moved = std::move(room.patches);
   moved.resize(from.size());
@@ -155,7 +161,7 @@ StarPatches MovingPatches::patches_at(const LensStation& there, PatchRoom& room)
   const auto along_theta = static_cast<float>(offset.theta);
   parallel_for(static_cast<int>(from.size()), moved_patches_a_chunk, [&](int begin, int end) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-      const Motion& motion = motions_[i];
+      const PatchMotion& motion = motions_[i];
       const glm::mat3 m = in_patch_axes(turn, from[i].frame);
       StarPatch& to = moved[i];
       to = from[i];

@@ -19,6 +19,18 @@ inline constexpr double position_cell = 0.005;
 //! within a cell: near the horizon, inside it, and near the spin axis.
 std::optional<LensPosition> cell_middle(Spacetime spacetime, const LensPosition& position);
 
+//! Derivatives of a patch with respect to the camera's r and θ, in the patch's frame.
+struct PatchMotion {
+  BezierPatch along_r;
+  BezierPatch along_theta;
+};
+
+//! Memory of a cell's patches that is reused for the next cell.
+struct MotionRoom {
+  PatchRoom patches;
+  std::vector<PatchMotion> motions;
+};
+
 //! Patches for the search of star images at all camera positions in a cell.
 //!
 //! The patches for the middle of the cell are moved to first order, by the derivatives of the
@@ -27,8 +39,11 @@ std::optional<LensPosition> cell_middle(Spacetime spacetime, const LensPosition&
 class MovingPatches {
  public:
   //! `station`: the grid of the middle of the cell, built with GridSettings::inverted and
-  //! GridSettings::derivatives. `patches`: the patches for it.
-  MovingPatches(LensStation station, StarPatches patches);
+  //! GridSettings::derivatives. `patches`: the patches for it. Takes the memory of `room.motions`.
+  MovingPatches(LensStation station, StarPatches patches, MotionRoom& room);
+
+  //! Returns the memory, so that it can be used for another cell.
+  [[nodiscard]] MotionRoom given_up() &&;
 
   //! Returns the chart of a position in the cell, as a station without nodes.
   [[nodiscard]] LensStation station_at(const LensPosition& position) const;
@@ -38,18 +53,13 @@ class MovingPatches {
   [[nodiscard]] StarPatches patches_at(const LensStation& there, PatchRoom& room) const;
 
  private:
-  //! Derivatives of a patch with respect to the camera's r and θ, in the patch's frame.
-  struct Motion {
-    BezierPatch along_r;
-    BezierPatch along_theta;
-  };
-
-  void widen(StarPatch& patch, const Motion& motion) const;
+  void widen(StarPatch& patch, const PatchMotion& motion) const;
 
   LensStation station_;
   StarPatches patches_;
-  std::vector<Motion> motions_;
-  LensPosition reach_;  //!< largest offset from the middle of the cell
+  std::vector<PatchMotion> motions_;
+  LensPosition reach_;         //!< largest offset from the middle of the cell
+  double largest_turn_ = 0.0;  //!< largest rotation of the sky between the middle and a position [rad]
 };
 
 }  // namespace ergodome

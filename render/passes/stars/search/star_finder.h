@@ -12,6 +12,15 @@
 
 namespace ergodome {
 
+//! How a camera moves, which decides how the star grids for its positions are made.
+enum class CameraCourse {
+  any,   //!< a grid is built for each position
+  slow,  //!< many successive positions lie in one cell, whose patches are moved (MovingPatches)
+  //! Not known in advance: a grid is built for the first position in a cell, and the patches of the
+  //! cell are moved for the next ones. Images then depend, within their errors, on earlier pictures.
+  unknown
+};
+
 //! Selects which images to find, and how accurately.
 struct StarSettings {
   double pixel = 3e-3;  //!< angle that a pixel of the screen subtends [rad]
@@ -25,6 +34,7 @@ struct StarSettings {
   bool magnification = true;  //!< apply the lens magnification; otherwise images are as bright as the star
   bool about =
       false;  //!< reuse results for similar pixel sizes, for windows whose picture size adapts to the frame time
+  CameraCourse course = CameraCourse::any;
 };
 
 //! Returns the minimum cell area of a star grid for a show's lens budget [px²]. At a budget of
@@ -50,7 +60,8 @@ struct DeviceSearch {
 LensStation build_star_station(const StarEye& eye, const StarSettings& settings, GridTracer<float>* tracer = nullptr);
 
 //! Builds the grid of a single camera, with its derivatives along the camera's r and θ.
-LensStation build_moving_station(const EyeCamera& eye, const StarSettings& settings, GridTracer<float>* tracer = nullptr);
+LensStation build_moving_station(const EyeCamera& eye, const StarSettings& settings,
+                                 GridTracer<float>* tracer = nullptr);
 
 //! Inverts a lens grid for an eye at the grid's position. `station` and `settings` must be the same
 //! as in the following call of find_star_images().

@@ -29,7 +29,11 @@ constexpr int search_halvings = 8;
 constexpr int leaves_a_chunk = 16;
 //! Cosine of the maximum half angle of the cone that contains a narrow patch (Extent). The bounds
 //! of wider patches would include many stars that the patch does not contain, so these are halved.
+//! The exception are broad ones that are not folded and may contain only `few_stars_broad`: next to
+//! the shadow's edge, where images are faint, and a leaf spans a large part of the sky.
 constexpr double widest_cosine = 0.94;
+constexpr double broadest_cosine = 0.7;
+constexpr double few_stars_broad = 4.0;
 //! Solid angle on the sky below which large magnifications are neglected [sr]. Next to a critical
 //! curve images may be arbitrarily bright, but this is rare: in a patch of solid angle w on the
 //! camera's sky, magnifications above M affect at most w / M of the stars' sky.
@@ -40,6 +44,7 @@ enum class Extent {
   none,   //!< not a part of the sky, because some nodes see no light
   half,   //!< so large that it may cover half of the sky
   wide,   //!< has a bounding cone with an axis, but is too wide for bounds by planes
+  broad,   //!< bounds by planes would include many stars outside the patch
   narrow  //!< narrow enough for bounds by planes
 };
 
@@ -57,7 +62,10 @@ Extent extent_of(const BezierPatch& patch, Vector3<double>& axis) {
     const double square = dot(p, p);
     cosine = std::min(cosine, square > 1e-6 ? dot(p, axis) / std::sqrt(square) : -1.0);
   }
-  return cosine > widest_cosine ? Extent::narrow : cosine > 0.1 ? Extent::wide : Extent::half;
+  if (cosine > broadest_cosine) {
+    return cosine > widest_cosine ? Extent::narrow : Extent::broad;
+  }
+  return cosine > 0.1 ? Extent::wide : Extent::half;
 }
 
 //! How a patch changes solid angles.
@@ -219,9 +227,12 @@ void StarPatches::set_error(float error_px, StarPatch& patch) const {
                 corrected_slope_error * errors.left <= exact_magnification;
 }
 
-bool StarPatches::is_done(const Wanted& wanted, const StarPatch& patch, const SkyFrustum& frustum) const {
+bool StarPatches::is_done(const Wanted& wanted, const StarPatch& patch, const SkyFrustum& frustum, bool broad) const {
   const double share = solid_angle(frustum) / (4.0 * 3.14159265358979323846);
   const double stars = wanted.field.count_from(floor_of(patch, faintest_)) * std::min(share, 1.0);
+  if (broad) {
+    return patch.shape != PatchShape::folded && stars <= few_stars_broad;
+  }
   return patch.shape == PatchShape::regular ||
          stars <= (patch.shape == PatchShape::folded ? few_stars_folded : few_stars);
 }
@@ -231,7 +242,7 @@ void StarPatches::add_patch(const Wanted& wanted, const StarPatch& patch, int de
   Vector3<double> middle;
   const Extent extent = extent_of(patch.sky, middle);
   const bool last = depth >= deepest_patch;
-  if (extent == Extent::narrow || (extent == Extent::wide && last)) {
+  if (extent == Extent::narrow || extent == Extent::broad || (extent == Extent::wide && last)) {
     StarPatch own = patch;
     own.frame = frame_of(patch.sky, middle);
     own.sky = in_frame(patch.sky, own.frame);
@@ -254,7 +265,7 @@ void StarPatches::add_patch(const Wanted& wanted, const StarPatch& patch, int de
     if (wanted.field.count_from(floor_of(own, faintest_)) == 0) {
       return;
     }
-    if (last || is_done(wanted, own, frustum)) {
+    if (last || is_done(wanted, own, frustum, extent == Extent::broad)) {
       own.part = sky_part(frustum);
       patches.push_back(own);
       return;

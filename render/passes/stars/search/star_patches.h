@@ -98,7 +98,7 @@ class StarPatches {
 
   void add_patch(const Wanted& wanted, const StarPatch& patch, int depth, std::vector<StarPatch>& patches) const;
   void join(PatchRoom& room);
-  [[nodiscard]] bool is_done(const Wanted& wanted, const StarPatch& patch, const SkyFrustum& frustum) const;
+  [[nodiscard]] bool is_done(const Wanted& wanted, const StarPatch& patch, const SkyFrustum& frustum, bool broad) const;
   void set_error(float error_px, StarPatch& patch) const;
 
   CorrectedGrid corrected_;

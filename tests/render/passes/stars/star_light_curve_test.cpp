@@ -7,6 +7,7 @@
 #include "kernels/projection/make_projection.h"
 #include "render/passes/stars/drawing/star_splat.h"
 #include "tests/render/exact_sky.h"
+#include "tests/render/passes/stars/image_courses.h"
 #include "tests/render/passes/stars/star_cameras.h"
 #include "tests/support/sanitized.h"
 
@@ -106,50 +107,6 @@ TEST_F(LightCurve, OfEveryImageIsExactInEveryFrameOfAnOrbit) {
   EXPECT_EQ(wrong, 0U);
 }
 
-//! Each image continues as the nearest image of the same star and parity in the next step. Returns
-//! the images of `before` that do not continue in `now`.
-std::vector<StarImage> ended(const std::vector<StarImage>& before, const std::vector<StarImage>& now) {
-  struct Step {
-    float square;
-    std::size_t from;
-    std::size_t to;
-  };
-  std::vector<Step> steps;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    for (std::size_t k = 0; k < now.size(); ++k) {
-      const Vector3<float> way = now[k].direction - before[i].direction;
-      const bool same_side = (now[k].magnification < 0.0F) == (before[i].magnification < 0.0F);
-      if (now[k].star == before[i].star && same_side && dot(way, way) < 0.3F * 0.3F) {
-        steps.push_back({dot(way, way), i, k});
-      }
-    }
-  }
-  std::ranges::sort(steps, {}, &Step::square);
-  std::vector<bool> left(before.size());
-  std::vector<bool> reached(now.size());
-  for (const Step& step : steps) {
-    if (!left[step.from] && !reached[step.to]) {
-      left[step.from] = true;
-      reached[step.to] = true;
-    }
-  }
-  std::vector<StarImage> rest;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    if (!left[i]) {
-      rest.push_back(before[i]);
-    }
-  }
-  return rest;
-}
-
-//! Returns whether two images are about to merge. This happens only if a star crosses a caustic,
-//! always to two images of the same star with opposite parity.
-bool may_merge(const StarImage& image, const StarImage& other) {
-  const Vector3<float> apart = other.direction - image.direction;
-  return other.star == image.star && dot(apart, apart) < 0.3F * 0.3F &&
-         (other.magnification < 0.0F) != (image.magnification < 0.0F);
-}
-
 TEST_F(LightCurve, OfAnImageEndsWhereItMergesWithAnotherAlone) {
   if (sanitized) {
     GTEST_SKIP() << "many frames";
@@ -159,16 +116,9 @@ TEST_F(LightCurve, OfAnImageEndsWhereItMergesWithAnotherAlone) {
   std::size_t lost = 0;
   for (int frame = 1; frame < frames; ++frame) {
     const auto now = images_of_frame(frame);
-    const std::vector<StarImage> gone = ended(before, now);
-    // Counts only images that are so bright that they must exist in the next step.
-    const auto counts = [&](const StarImage& image) {
-      return image.illuminance.y > 3.0F * settings_.faintest && std::abs(image.magnification) < 3.0F;
-    };
-    followed += static_cast<std::size_t>(std::ranges::count_if(before, counts));
-    lost += static_cast<std::size_t>(std::ranges::count_if(gone, [&](const StarImage& image) {
-      return counts(image) &&
-             std::ranges::none_of(gone, [&](const StarImage& other) { return may_merge(image, other); });
-    }));
+    followed += static_cast<std::size_t>(
+        std::ranges::count_if(before, [&](const StarImage& image) { return must_go_on(image, settings_); }));
+    lost += images_lost(before, now, settings_);
     before = now;
   }
   EXPECT_GT(followed, 20'000U);

@@ -1,0 +1,183 @@
+#include "render/passes/stars/search/moving_patches.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "kernels/projection/make_projection.h"
+#include "kernels/spacetime/kerr/kerr.h"
+#include "tests/render/passes/stars/image_courses.h"
+#include "tests/render/passes/stars/star_cameras.h"
+#include "tests/support/sanitized.h"
+
+namespace ergodome {
+namespace {
+
+using namespace test;  // NOLINT(google-build-using-namespace): the cameras and stars of these tests
+
+constexpr double path_pixel = pi / 1024;
+
+StarSettings path_settings() {
+  StarSettings settings = settings_for(7.0);
+  settings.pixel = path_pixel;
+  settings.redshift = true;
+  return settings;
+}
+
+//! Returns the patches of the cell around a camera.
+MovingPatches patches_around(const EyeCamera& eye, const StarField& field, const StarSettings& settings) {
+  const LensPosition middle = *cell_middle(eye.spacetime, {eye.r, eye.theta});
+  EyeCamera there = eye;
+  there.r = there.head_r = middle.r;
+  there.theta = there.head_theta = middle.theta;
+  LensStation station = build_moving_station(there, settings);
+  MotionRoom room;
+  StarPatches patches = star_patches(field, colours().view(), there, station, settings);
+  return {std::move(station), std::move(patches), room};
+}
+
+std::vector<StarImage> moved_images(const MovingPatches& cell, const EyeCamera& eye, const StarField& field,
+                                    const StarSettings& settings) {
+  PatchRoom room;
+  const LensStation there = cell.station_at({eye.r, eye.theta});
+  return find_star_images(field, colours().view(), eye, there, cell.patches_at(there, room), settings);
+}
+
+//! Returns how many images that are clearly bright enough are in one list but not in the other: no
+//! image of the same star and parity is within half a pixel of them.
+std::size_t images_without_twin(const std::vector<StarImage>& images, const std::vector<StarImage>& others,
+                                const StarSettings& settings) {
+  return static_cast<std::size_t>(std::ranges::count_if(images, [&](const StarImage& image) {
+    return image.illuminance.y > 1.1F * settings.faintest && std::ranges::none_of(others, [&](const StarImage& other) {
+             const Vector3<float> apart = other.direction - image.direction;
+             return other.star == image.star && (other.magnification < 0.0F) == (image.magnification < 0.0F) &&
+                    static_cast<double>(dot(apart, apart)) < 0.25 * settings.pixel * settings.pixel;
+           });
+  }));
+}
+
+//! Largest differences between an image and the nearest image of its star in another list, for
+//! images that are not next to a caustic.
+struct Difference {
+  double distance_px = 0.0;
+  double brightness = 0.0;  //!< relative
+};
+
+void compare(const std::vector<StarImage>& images, const std::vector<StarImage>& others, double pixel,
+             Difference& largest) {
+  for (const StarImage& image : images) {
+    double nearest_px = 1.0;
+    float brightness = image.illuminance.y;
+    for (const StarImage& other : others) {
+      const Vector3<float> apart = other.direction - image.direction;
+      const double apart_px = std::sqrt(static_cast<double>(dot(apart, apart))) / pixel;
+      if (other.star == image.star && apart_px < nearest_px) {
+        nearest_px = apart_px;
+        brightness = other.illuminance.y;
+      }
+    }
+    if (std::abs(image.magnification) < 10.0F && nearest_px < 1.0) {
+      largest.distance_px = std::max(largest.distance_px, nearest_px);
+      largest.brightness =
+          std::max(largest.brightness, std::abs(static_cast<double>(brightness / image.illuminance.y) - 1.0));
+    }
+  }
+}
+
+class MovingCamera : public testing::TestWithParam<CameraState> {};
+
+// The camera crosses three cells. Stars cross caustics and come out of the shadow's edge on the way,
+// as the camera also goes around the hole.
+TEST_P(MovingCamera, SeesTheImagesOfAFullSearchOnAPathOf600Frames) {
+  constexpr int frames = 600;
+  const StarField field(brightest(sanitized ? 100 : 1000), glm::dmat3(1.0), colours().view());
+  const StarSettings settings = path_settings();
+  EyeCamera eye = eye_at_position(GetParam());
+  const double horizon = horizon_radius(eye.spacetime);
+  std::optional<MovingPatches> cell;
+  LensPosition middle{};
+  std::vector<StarImage> before;
+  std::size_t compared = 0;
+  std::size_t different = 0;
+  std::size_t lost = 0;
+  Difference largest;
+  for (int frame = 0; frame < frames; frame += sanitized ? 200 : 1) {
+    const double part = static_cast<double>(frame) / frames;
+    eye.r = eye.head_r = horizon + (GetParam().r - horizon) * std::exp(-2.5 * position_cell * part);
+    eye.theta = eye.head_theta = GetParam().theta + 1.2 * position_cell * part;
+    eye.phi = GetParam().phi + 0.8 * part;
+    const LensPosition here = *cell_middle(eye.spacetime, {eye.r, eye.theta});
+    const bool enters = !cell || !same_position(here, middle);
+    if (enters) {
+      middle = here;
+      cell.emplace(patches_around(eye, field, settings));
+    }
+    const std::vector<StarImage> images = moved_images(*cell, eye, field, settings);
+    // Errors are largest at the border of a cell.
+    if (enters || frame % 60 == 0) {
+      const std::vector<StarImage> exact = images_of(field, eye, settings);
+      compared += exact.size();
+      different += images_without_twin(exact, images, settings) + images_without_twin(images, exact, settings);
+      compare(exact, images, settings.pixel, largest);
+    }
+    lost += images_lost(before, images, settings);
+    before = images;
+  }
+  EXPECT_GT(compared, sanitized ? 200U : 10'000U);
+  EXPECT_EQ(different, 0U);
+  EXPECT_EQ(lost, 0U);
+  EXPECT_LT(largest.distance_px, 0.1);
+  EXPECT_LT(largest.brightness, 0.03);
+}
+
+INSTANTIATE_TEST_SUITE_P(Paths, MovingCamera,
+                         testing::Values(CameraState{0.999, 5.0, 1.4, 0.7, ObserverMotion::zamo},
+                                         CameraState{0.0, 12.0, 1.5, 0.0, ObserverMotion::fixed}));
+
+TEST(PositionCells, HoldTheirPositions) {
+  const Spacetime spacetime{0.9};
+  const double horizon = horizon_radius(spacetime);
+  for (double r = 2.5; r < 40.0; r *= 1.1) {
+    const LensPosition middle = *cell_middle(spacetime, {r, 1.2});
+    EXPECT_LE(std::abs(std::log((r - horizon) / (middle.r - horizon))), 0.501 * position_cell);
+    EXPECT_LE(std::abs(1.2 - middle.theta), 0.501 * position_cell);
+    EXPECT_TRUE(same_position(*cell_middle(spacetime, middle), middle));
+  }
+}
+
+TEST(PositionCells, AreNotNextToTheHorizonOrTheAxis) {
+  EXPECT_FALSE(cell_middle(Spacetime{0.9}, {1.5, 1.2}));
+  EXPECT_FALSE(cell_middle(Spacetime{0.9}, {8.0, 0.01}));
+  EXPECT_FALSE(cell_middle(Spacetime{0.9}, {std::nan(""), 1.0}));
+}
+
+Show show_of_moving_stars() {
+  Show show;
+  show.sky.stars = "bright_stars";
+  show.sky.faintest_mag = 5.0;
+  return show;
+}
+
+TEST(StarsOfASlowCamera, DoNotDependOnEarlierPictures) {
+  StarPass passing(show_of_moving_stars());
+  StarPass fresh(show_of_moving_stars());
+  const Projection projection = make_dome_projection(512, pi, 0.5);
+  EyeCamera eye = eye_at_position({0.9, 8.0, 1.3, 0.2, ObserverMotion::zamo});
+  std::vector<StarPoint> points;
+  for (int frame = 0; frame < 12; ++frame) {
+    eye.r = eye.head_r = 8.0 - 0.01 * frame;
+    points = passing.find(eye, projection, {}, PixelMatch::exact, CameraCourse::slow);
+  }
+  const std::vector<StarPoint> alone = fresh.find(eye, projection, {}, PixelMatch::exact, CameraCourse::slow);
+  ASSERT_EQ(points.size(), alone.size());
+  EXPECT_TRUE(std::ranges::equal(points, alone, [](const StarPoint& a, const StarPoint& b) {
+    return a.x_px == b.x_px && a.y_px == b.y_px && a.light.y == b.light.y;
+  }));
+}
+
+}  // namespace
+}  // namespace ergodome
