@@ -44,7 +44,7 @@ enum class Extent {
   none,   //!< not a part of the sky, because some nodes see no light
   half,   //!< so large that it may cover half of the sky
   wide,   //!< has a bounding cone with an axis, but is too wide for bounds by planes
-  broad,   //!< bounds by planes would include many stars outside the patch
+  broad,  //!< bounds by planes would include many stars outside the patch
   narrow  //!< narrow enough for bounds by planes
 };
 
