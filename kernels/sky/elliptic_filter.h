@@ -229,7 +229,7 @@ class TexelSums {
   }
 
   //! Returns the sum of a lane.
-  [[nodiscard]] ERGO_HD Quad of(int i) const {
+  [[nodiscard]] ERGO_HD Quad of([[maybe_unused]] int i) const {
     if constexpr (lanes == 1) {
       return sums_[0];
     } else {
