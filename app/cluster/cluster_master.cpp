@@ -131,7 +131,8 @@ void ClusterMaster::take(const MasterChannel::Received& received) {
     note_ready(*node, *ready);
   } else if (const auto* const heartbeat = std::get_if<ClusterHeartbeat>(&*message)) {
     node->grouped = heartbeat->grouped;
-    if (node->report.state == NodeState::lost && node->silent) {
+    // A node that was started again has not yet proved that it has the same show.
+    if (node->report.state == NodeState::lost && node->silent && heartbeat->session == settings_.session) {
       rejoin(*node);
     }
   } else {
@@ -368,6 +369,7 @@ void ClusterMaster::set_show(const std::string& show, const std::string& content
 
 std::vector<NodeReport> ClusterMaster::nodes() const {
   std::vector<NodeReport> all;
+  all.reserve(settings_.nodes.size());
   for (const std::string& name : settings_.nodes) {
     all.push_back(nodes_.at(name).report);
   }

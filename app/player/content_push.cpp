@@ -224,6 +224,7 @@ std::vector<fs::path> ContentCache::arrange() const {
     }
   }
   std::vector<fs::path> shows;
+  shows.reserve(offer_.shows.size());
   for (const std::uint16_t show : offer_.shows) {
     shows.push_back(place / offer_.files.at(show).name);
   }

@@ -57,6 +57,7 @@ bool NodeCalibration::follow(const ClusterFrame& frame, const std::optional<Clus
 
 std::vector<ProjectorPicture> NodeCalibration::pictures() const {
   std::vector<ProjectorPicture> own;
+  own.reserve(own_.size());
   for (const std::size_t i : own_) {
     own.push_back(pictures_->pictures()[i]);
   }

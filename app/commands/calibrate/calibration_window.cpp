@@ -197,6 +197,7 @@ std::optional<std::size_t> CalibrationWindow::window_of(std::size_t projector) c
 
 std::vector<ProjectorPicture> CalibrationWindow::own_pictures() const {
   std::vector<ProjectorPicture> own;
+  own.reserve(own_.size());
   for (const std::size_t i : own_) {
     own.push_back(pictures_.pictures()[i]);
   }
@@ -296,6 +297,7 @@ std::vector<std::string> CalibrationWindow::texts() const {
       state_.text() + "\npattern: " + pattern_name() + "   F1: keys" + (message_.empty() ? "" : "\n" + message_) +
       (state_.keys_shown() && !projectors_.control_shown() ? "\n\n" + calibration_key_lines("") : "");
   std::vector<std::string> texts;
+  texts.reserve(pictures_.pictures().size());
   for (std::size_t i = 0; i < pictures_.pictures().size(); ++i) {
     const std::string other = fmt::format("{}: {}", i + 1, pictures_.pictures()[i].name);
     texts.push_back(!state_.text_shown() ? "" : i == state_.projector() ? adjusted : other);

@@ -3,10 +3,12 @@
 #include <GLFW/glfw3.h>
 
 // As in GLFW/glfw3native.h, whose X11 headers define macros with common names.
+// NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
 void* glfwGetX11Display();
 unsigned long glfwGetGLXWindow(GLFWwindow* window);
 }
+// NOLINTEND(readability-identifier-naming)
 
 namespace ergodome {
 

@@ -208,6 +208,25 @@ TEST_F(ClusterStates, TakeBackANodeThatLostMessages) {
   EXPECT_EQ(south.shown, computers_[0]->shown);
 }
 
+TEST_F(ClusterStates, CheckANodeThatWasStartedAgain) {
+  add("north");
+  add("south");
+  pass(0.5);
+  show_frame();
+  pass(0.1);
+  computers_.pop_back();
+  pass(2.2);
+  ASSERT_EQ(report(1).state, NodeState::lost);
+  network_.inject("south", encode_cluster(ClusterHeartbeat{0, 1.0, false}));
+  pass(0.1);
+  EXPECT_EQ(report(1).state, NodeState::lost) << "its request to join may come later";
+  ClusterIdentity other = same_identity;
+  other.show = "x";
+  add("south", other);
+  pass(0.3);
+  EXPECT_EQ(report(1).state, NodeState::refused);
+}
+
 TEST_F(ClusterStates, AcceptANodeThatWasStartedAgain) {
   add("north");
   add("south");
