@@ -26,8 +26,8 @@ class ContentSource {
   explicit ContentSource(const std::vector<Show>& shows);
 
   [[nodiscard]] const ClusterOffer& offer() const { return offer_; }
-  //! Returns the bytes of a file from an offset on, at most max_cluster_chunk; nothing if there are
-  //! none, or if the file is not offered.
+  //! Returns the bytes of a file from an offset on, at most max_cluster_chunk. Returns nothing
+  //! at its end, or if the file is not offered.
   [[nodiscard]] std::optional<ClusterChunk> read(const ClusterWanted& wanted) const;
 
  private:
