@@ -273,7 +273,7 @@ class TexelSums {
       return;
     }
     for (unsigned left = some; left != 0; left &= left - 1) {
-      const int i = std::countr_zero(left);
+      const int i = lowest_bit(left);
       add(sums_[i], i);
     }
   }
