@@ -82,6 +82,8 @@ void ClusterNode::take(const ClusterMessage& message, double now_s) {
       taken_ = true;
     }
     state_ = State::joined;
+    // An offer that answers an earlier request is out of date.
+    offer_.reset();
     session_ = welcome->session;
     epoch_.reset();
     sync_ = welcome->sync;

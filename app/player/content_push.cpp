@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <random>
 #include <set>
 #include <system_error>
 
@@ -40,6 +41,11 @@ int levels_up(const fs::path& name) {
 
 bool stays_inside(const fs::path& name) {
   return !name.empty() && name.is_relative() && levels_up(name) == 0 && name.lexically_normal() == name;
+}
+
+bool is_whole(const fs::path& path, const ClusterOffer::File& file) {
+  std::error_code problem;
+  return fs::file_size(path, problem) == file.bytes && !problem;
 }
 
 std::string key_of_text(const std::string& text) { return "0-" + fingerprint(text); }
@@ -118,7 +124,8 @@ std::optional<ClusterChunk> ContentSource::read(const ClusterWanted& wanted) con
   return chunk.bytes.empty() ? std::nullopt : std::optional(std::move(chunk));
 }
 
-ContentCache::ContentCache(fs::path folder, ClusterOffer offer) : folder_(std::move(folder)), offer_(std::move(offer)) {
+ContentCache::ContentCache(fs::path folder, ClusterOffer offer)
+    : folder_(std::move(folder)), offer_(std::move(offer)), number_(std::random_device()()) {
   make_folder(folder_);
   std::set<std::string> keys;
   for (const ClusterOffer::File& file : offer_.files) {
@@ -126,15 +133,16 @@ ContentCache::ContentCache(fs::path folder, ClusterOffer offer) : folder_(std::m
       throw Error(file.name, "is offered by the master outside the folder of its show",
                   "install the same version on both");
     }
-    std::error_code problem;
-    if (keys.insert(file.key).second && !fs::exists(folder_ / file.key, problem)) {
+    if (keys.insert(file.key).second && !is_whole(folder_ / file.key, file)) {
       missing_.push_back(file);
     }
   }
   begin_file();
 }
 
-fs::path ContentCache::partial() const { return folder_ / (missing_.front().key + ".partial"); }
+fs::path ContentCache::partial() const {
+  return folder_ / fmt::format("{}.partial-{:x}", missing_.front().key, number_);
+}
 
 void ContentCache::begin_file() {
   received_ = asked_ = 0;
@@ -211,15 +219,16 @@ std::vector<fs::path> ContentCache::arrange() const {
   for (const ClusterOffer::File& file : offer_.files) {
     const fs::path path = place / file.name;
     make_folder(path.parent_path());
-    std::error_code problem;
-    if (fs::exists(path, problem)) {
+    if (is_whole(path, file)) {
       continue;
     }
+    std::error_code problem;
     fs::create_hard_link(folder_ / file.key, path, problem);
     if (problem) {
-      fs::copy_file(folder_ / file.key, path, problem);
+      fs::copy_file(folder_ / file.key, path, fs::copy_options::overwrite_existing, problem);
     }
-    if (problem) {
+    // Another node that keeps its files in the same folder may have been faster.
+    if (problem && !is_whole(path, file)) {
       throw Error(path.string(), "cannot be written: " + problem.message(), "free space on this disk");
     }
   }

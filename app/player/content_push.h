@@ -65,6 +65,8 @@ class ContentCache {
 
   std::filesystem::path folder_;
   ClusterOffer offer_;
+  //! Distinguishes the files that this node is receiving from those of nodes with the same folder.
+  std::uint32_t number_;
   std::deque<ClusterOffer::File> missing_;  //!< the first one is being received
   std::uint64_t received_ = 0;              //!< bytes of the first one
   std::uint64_t asked_ = 0;                 //!< bytes that were asked for

@@ -75,6 +75,38 @@ TEST_F(ContentPush, AsksAgainForLostBytes) {
   EXPECT_TRUE(other.complete());
 }
 
+TEST_F(ContentPush, ServesTwoNodesThatShareAFolder) {
+  const ContentSource source({show_with("../../skies/sky.ppm")});
+  ContentCache first(folder_ / "cache", source.offer());
+  ContentCache second(folder_ / "cache", source.offer());
+  double now_s = 0.0;
+  for (int i = 0; i < 1000 && !(first.complete() && second.complete()); ++i) {
+    now_s += 0.01;
+    for (ContentCache* const cache : {&first, &second}) {
+      if (const auto wanted = cache->next(now_s)) {
+        cache->take(*source.read(*wanted));
+      }
+    }
+  }
+  ASSERT_TRUE(first.complete() && second.complete());
+  EXPECT_EQ(first.arrange(), second.arrange());
+  for (const ClusterOffer::File& file : source.offer().files) {
+    EXPECT_EQ(content_key(folder_ / "cache" / file.key), file.key);
+  }
+}
+
+TEST_F(ContentPush, GetsADamagedFileOfItsFolderAgain) {
+  const ContentSource source({show_with("../../skies/sky.ppm")});
+  ContentCache cache(folder_ / "cache", source.offer());
+  send_all(source, cache);
+  const std::vector<fs::path> shows = cache.arrange();
+  fs::resize_file(shows.front(), 5);
+  ContentCache again(folder_ / "cache", source.offer());
+  EXPECT_FALSE(again.complete());
+  send_all(source, again);
+  EXPECT_EQ(content_key(again.arrange().front()), source.offer().files.front().key);
+}
+
 TEST_F(ContentPush, RefusesDamagedFiles) {
   const ContentSource source({show_with("../../skies/sky.ppm")});
   ContentCache cache(folder_ / "cache", source.offer());
