@@ -79,6 +79,7 @@ std::vector<Show> shows_of(const NodeArguments& arguments, const DomeSetup& setu
     return show;
   };
   std::vector<Show> shows;
+  shows.reserve(files.size());
   for (const std::filesystem::path& file : files) {
     shows.push_back(fitted(file.string()));
   }
