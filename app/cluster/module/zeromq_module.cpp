@@ -20,9 +20,9 @@ void set_socket_limits(zmq::socket_t& socket) {
   socket.set(zmq::sockopt::rcvhwm, queue);
   socket.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(max_cluster_message));
   socket.set(zmq::sockopt::handshake_ivl, 2000);
-  // Replaces a connection that transmits nothing.
-  socket.set(zmq::sockopt::heartbeat_ivl, 200);
-  socket.set(zmq::sockopt::heartbeat_timeout, 1000);
+  // Closes connections whose packets are not acknowledged [ms]. Heartbeats of ZeroMQ would do that
+  // too, but end the program if they meet a connection that has just failed (libzmq issue 4364).
+  socket.set(zmq::sockopt::tcp_maxrt, 1000);
 }
 
 std::vector<std::byte> bytes_of(const zmq::message_t& message) {
