@@ -83,6 +83,7 @@ std::vector<double> barrier_ms(int count) {
     std::exit(1);
   }
   std::vector<std::string> names;
+  names.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     names.push_back(fmt::format("node{}", i + 1));
   }
@@ -90,6 +91,7 @@ std::vector<double> barrier_ms(int count) {
   ClusterMaster master(*channel, {{"v", "s", "c", "d"}, SwapSync::barrier, names, 1}, seconds_now);
   std::atomic<bool> ended = false;
   std::vector<std::thread> nodes;
+  nodes.reserve(names.size());
   for (const std::string& name : names) {
     nodes.emplace_back([&, name] { run_ready_node(name, port + count, keys, ended); });
   }

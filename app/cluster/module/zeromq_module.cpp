@@ -44,7 +44,11 @@ class PeerCheck {
   //! Answers all questions that wait.
   void answer() {
     std::vector<zmq::message_t> request;
-    for (zmq::message_t part; socket_.recv(part, zmq::recv_flags::dontwait); part.rebuild()) {
+    while (true) {
+      zmq::message_t part;
+      if (!socket_.recv(part, zmq::recv_flags::dontwait)) {
+        return;
+      }
       const bool more = part.more();
       request.push_back(std::move(part));
       if (!more) {
