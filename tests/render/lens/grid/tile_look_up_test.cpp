@@ -298,11 +298,14 @@ TEST(TileLookUp, ShadingAtOnceGivesTheSamePicture) {
     for (const SkyShift shift : {SkyShift::none, SkyShift::luminance}) {
       const std::vector<float> once = shaded(c, filter, shift, true);
       const std::vector<float> apart = shaded(c, filter, shift, false);
-      float worst = 0.0F;
+      long differ = 0;
       for (std::size_t i = 0; i < once.size(); ++i) {
-        worst = std::max(worst, std::abs(once[i] - apart[i]));
+        differ += std::abs(once[i] - apart[i]) < 1e-4F ? 0 : 1;
       }
-      EXPECT_LT(worst, 1e-4F) << static_cast<int>(filter) << static_cast<int>(shift);
+      // A direction on the border of two texels may be rounded to either; filters blend them.
+      const double allowed = filter == SkyFilter::point ? 5e-3 : 0.0;
+      EXPECT_LE(static_cast<double>(differ), allowed * static_cast<double>(once.size()))
+          << static_cast<int>(filter) << static_cast<int>(shift);
     }
   }
 }
