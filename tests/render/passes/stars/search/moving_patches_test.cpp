@@ -124,7 +124,8 @@ TEST_P(MovingCamera, SeesTheImagesOfAFullSearchOnAPathOf600Frames) {
       different += images_without_twin(exact, images, settings) + images_without_twin(images, exact, settings);
       compare(exact, images, settings.pixel, largest);
     }
-    lost += images_lost(before, images, settings);
+    // Only images of successive frames are similar.
+    lost += sanitized ? 0 : images_lost(before, images, settings);
     before = images;
   }
   EXPECT_GT(compared, sanitized ? 200U : 10'000U);
