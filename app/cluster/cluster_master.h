@@ -41,7 +41,7 @@ struct NodeReport {
 class ClusterMaster {
  public:
   struct Settings {
-    ClusterIdentity identity;  //!< without a show, nodes may have any one
+    ClusterIdentity identity;  //!< if it has no show, nodes may have any show
     SwapSync sync = SwapSync::barrier;
     std::vector<std::string> nodes;  //!< names of the nodes in the setup; others are refused
     std::uint64_t session = 0;       //!< number of this run; different in each run, not 0

@@ -1,6 +1,6 @@
 #pragma once
 
-// Registration of benchmarks that need a GPU. They are in other files, compiled as CUDA.
+// Registration of benchmarks that need a GPU.
 namespace ergodome {
 
 //! Registers the benchmarks of frames on a GPU, if there is one.
