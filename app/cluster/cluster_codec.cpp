@@ -208,6 +208,10 @@ void pass_cluster(Coder& coder, ClusterFrame& frame) {
   coder.range(frame.rate, -1000.0, 1000.0);
   coder.flag(frame.attract);
   pass_cluster(coder, frame.pose);
+  if (coder.present(frame.before)) {
+    coder.range(frame.before->r, 1e-6, largest_cluster_number);
+    coder.range(frame.before->theta, -10.0, 10.0);
+  }
   coder.choice(frame.motion, motions);
   pass_cluster_velocity(coder, frame.velocity);
   coder.choice(frame.mode, view_modes);

@@ -15,6 +15,7 @@
 #include "kernels/image/shade_pixels.h"
 #include "kernels/sky/sky_sampling.h"
 #include "kernels/spacetime/kerr/observer.h"
+#include "render/lens/stations/lens_position.h"
 
 // The messages between the computers of a dome. The master renders the same pictures as the nodes
 // and releases them.
@@ -46,6 +47,8 @@ struct ClusterFrame {
   //! True: the show is the attract show of an exhibit.
   bool attract = false;
   CameraPose pose{};
+  //! Position of the camera in the frame before, see ShowMoment::before.
+  std::optional<LensPosition> before{};
   ObserverMotion motion = ObserverMotion::zamo;
   Vector3<double> velocity{};  //!< velocity of the observer, see ObserverView::velocity
   ViewMode mode = ViewMode::sky;

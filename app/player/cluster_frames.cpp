@@ -16,6 +16,7 @@ ClusterFrame cluster_frame(const PictureRequest& request, double rate) {
   sent.on_path = frame.path_time_s.has_value();
   sent.rate = rate;
   sent.pose = frame.pose;
+  sent.before = request.before;
   sent.motion = frame.observer.motion;
   sent.velocity = frame.observer.velocity;
   sent.mode = frame.mode;
@@ -52,6 +53,8 @@ void apply(const ClusterFrame& frame, PictureRequest& request) {
   request.size_px = frame.size_px;
   request.output.projectors_px = frame.projectors_px;
   request.patience_s = patience_s;
+  request.before = frame.before;
+  request.alike = true;
   request.adapts_at_once = !frame.followed_stops;
   request.quality.reset();
   if (frame.quality) {

@@ -5,11 +5,15 @@
 #include <cstdlib>
 #include <thread>
 
+#include "kernels/launch/background_work.h"
 #include "kernels/launch/worker_pool.h"
 
 namespace ergodome {
 
 namespace {
+
+//! Number of BackgroundWork objects of a thread.
+thread_local int background_works = 0;
 
 int choose_thread_count() {
   const char* wish = std::getenv("ERGODOME_THREADS");
@@ -19,6 +23,10 @@ int choose_thread_count() {
 }
 
 }  // namespace
+
+BackgroundWork::BackgroundWork() { ++background_works; }
+
+BackgroundWork::~BackgroundWork() { --background_works; }
 
 int thread_count() {
   static const int count = choose_thread_count();
@@ -38,7 +46,7 @@ void parallel_for(int count, int grain, const std::function<void(int, int)>& bod
     }
   };
   static WorkerPool& pool = *new WorkerPool(thread_count() - 1);
-  pool.run(std::min(thread_count(), chunks) - 1, std::ref(work));
+  pool.run(background_works > 0 ? 0 : std::min(thread_count(), chunks) - 1, std::ref(work));
 }
 
 }  // namespace ergodome

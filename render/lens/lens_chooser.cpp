@@ -59,10 +59,11 @@ double allowed_unmeasured_px(const TrajectoryProvenance& baked, double budget_px
   return unmeasured_slack * std::max(budget_px, baked.budget_px * baked.pixel / pixel);
 }
 
-const LensChooser::Grid* LensChooser::find(const GridOrder& order, const EyeCamera& eye) {
+const LensChooser::Grid* LensChooser::find(const GridOrder& order, const EyeCamera& eye, bool alike) {
+  const double error = error_of(order);
   const auto found = std::find_if(grids_.begin(), grids_.end(), [&](const Grid& grid) {
     return grid.spacetime == order.spacetime && same_position({grid.r, grid.theta}, order.position) &&
-           grid.error <= 1.01 * error_of(order) && grid.error >= 0.5 * error_of(order) &&
+           (alike ? grid.error == error : grid.error <= 1.01 * error && grid.error >= 0.5 * error) &&
            moves_alike(grid.motion, grid.velocity, eye);
   });
   if (found == grids_.end()) {
@@ -99,7 +100,7 @@ const LensChooser::Grid& LensChooser::keep(const GridOrder& order, const EyeCame
 const LensChooser::Grid& LensChooser::grid_for(const LensRequest& request) {
   const EyeCamera& eye = request.eye;
   const GridOrder order = order_for(request);
-  if (const Grid* kept = find(order, eye)) {
+  if (const Grid* kept = find(order, eye, request.moment.alike)) {
     return *kept;
   }
   if (backend_ == Backend::cpu && !is_beside(eye) && request.moment.patience_s < ShowMoment::forever_s) {
@@ -112,7 +113,7 @@ const LensChooser::Grid& LensChooser::grid_for(const LensRequest& request) {
       const bool own = same_position(made->order.position, {eye.r, eye.theta});
       keep(made->order, own ? eye : earlier, std::move(made->station), made->statistics);
     }
-    if (const Grid* kept = find(order, eye)) {
+    if (const Grid* kept = find(order, eye, request.moment.alike)) {
       return *kept;
     }
     if (const Grid* near = find_near(order, eye)) {

@@ -31,6 +31,11 @@ struct ShowMoment {
   //! Maximum time to wait for stations that are not yet read, and for live grids.
   double patience_s = forever_s;
 
+  //! Position of the player's camera in the picture before; absent: there is none, as in films.
+  std::optional<LensPosition> before{};
+  //! The picture must equal that of another computer, whatever pictures each has rendered before.
+  bool alike = false;
+
   static constexpr double forever_s = 1e6;
 };
 
@@ -120,7 +125,8 @@ class LensChooser {
   std::unique_ptr<LensSource> streamed(const LensRequest& request);
   std::unique_ptr<LensSource> live(const LensRequest& request);
   const Grid& grid_for(const LensRequest& request);
-  const Grid* find(const GridOrder& order, const EyeCamera& eye);
+  //! Returns a cached grid for the order. `alike`: only one of exactly that error (ShowMoment::alike).
+  const Grid* find(const GridOrder& order, const EyeCamera& eye, bool alike);
   const Grid* find_near(const GridOrder& order, const EyeCamera& eye);
   const Grid& keep(const GridOrder& order, const EyeCamera& eye, LensStation station, const GridStatistics& statistics);
 

@@ -214,7 +214,7 @@ PictureAnswer render_request(const PictureRequest& request) {
   const Projection projection = make_projection(renderer.show().view, request.size_px, frame.field_of_view_deg);
   // A picture waits for its lens for at most patience_s, so that it appears soon after a seek. A
   // grid that takes longer is used by the next picture.
-  const ShowMoment moment = {frame.path_time_s, request.patience_s};
+  const ShowMoment moment = {frame.path_time_s, request.patience_s, request.before, request.alike};
   PictureAnswer answer;
   if (request.light_asked_s) {
     const auto begun = Clock::now();

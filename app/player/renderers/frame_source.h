@@ -33,6 +33,9 @@ struct PictureRequest {
   int whole_px = 0;
   //! How long the picture waits for its lens before it uses an older one.
   double patience_s = 0.02;
+  //! ShowMoment::before and ShowMoment::alike.
+  std::optional<LensPosition> before{};
+  bool alike = false;
   bool errors_asked = false;
   std::uint64_t error_seed = 0;  //!< selects the pixels to measure
   //! Requests the lit part of the view; the value is the time of the request, which the answer

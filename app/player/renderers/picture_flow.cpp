@@ -83,6 +83,7 @@ void PictureFlow::ask(PictureRequest wish, int size_px, bool moving) {
   }
   asked_moving_ = moving;
   wish.size_px = size_px;
+  wish.before = std::exchange(asked_position_, LensPosition{wish.frame.pose.r, wish.frame.pose.theta});
   asked_size_px_ = size_px;
   smallest_px_ = wish.output.smallest_px;
   pending_ = false;

@@ -85,8 +85,9 @@ class PictureFlow {
   bool refining_ = false;              //!< the last picture is current but may become finer
   int moving_size_px_ = 256;           //!< width at which a picture takes about `budget_ms_`
   int asked_size_px_ = 0;
-  int smallest_px_ = 0;     //!< OutputWish::smallest_px of the current request
-  double budget_ms_ = 0.0;  //!< time of a moving picture that determines the size of the next one
+  std::optional<LensPosition> asked_position_;  //!< camera of the last request
+  int smallest_px_ = 0;                         //!< OutputWish::smallest_px of the current request
+  double budget_ms_ = 0.0;                      //!< time of a moving picture that determines the size of the next one
   SecondsSource now_;
   std::optional<PictureHold> hold_;
   std::optional<FramePace> pace_;        //!< the pace to hold, if any

@@ -4,37 +4,40 @@
 
 #include "content/show/animated_show.h"
 #include "kernels/spacetime/kerr/kerr.h"
-#include "render/lens/stations/lens_position.h"
 #include "render/passes/stars/search/moving_patches.h"
 
 namespace ergodome {
 
 namespace {
 
-//! Largest part of a cell that a camera may cross in a frame. The patches of a cell take as much
-//! time as those of two positions.
-constexpr double max_cell_part = 0.3;
+//! Returns whether a camera that moves from one position to the other in some pictures moves
+//! slowly, and does not stand.
+bool moves_slowly(Spacetime spacetime, const LensPosition& from, const LensPosition& to, double pictures) {
+  // Largest part of a cell that a camera may cross in a picture. The patches of a cell take as much
+  // time as those of two positions.
+  constexpr double max_cell_part = 0.3;
+  if (same_position(from, to)) {
+    return false;
+  }
+  const double horizon = horizon_radius(spacetime);
+  const double of_height = std::log((to.r - horizon) / (from.r - horizon));
+  // The comparison is false for NaN, inside the horizon.
+  return std::hypot(of_height, to.theta - from.theta) / (pictures * position_cell) <= max_cell_part;
+}
 
-//! Returns the course at a time of a show, from the camera's positions a frame before and after.
-CameraCourse course_at(const Show& show, double time_s) {
+//! Returns whether the camera moves slowly at a time of a show, from its positions a frame before
+//! and after.
+bool moves_slowly_at(const Show& show, double time_s) {
   const double step_s = 1.0 / show.frame_rate_hz;
   const double before_s = time_s - step_s;
   const double after_s = time_s + step_s;
   const Spacetime spacetime = spacetime_at(show, before_s);
   if (!(spacetime == spacetime_at(show, after_s))) {
-    return CameraCourse::any;
+    return false;
   }
   const CameraPose before = camera_pose(show, before_s);
   const CameraPose after = camera_pose(show, after_s);
-  if (same_position({before.r, before.theta}, {after.r, after.theta})) {
-    return CameraCourse::any;
-  }
-  const double horizon = horizon_radius(spacetime);
-  const double of_height = std::log((after.r - horizon) / (before.r - horizon));
-  const double frames = 2.0;
-  const double part = std::hypot(of_height, after.theta - before.theta) / (frames * position_cell);
-  // The comparison is also false for NaN, inside the horizon.
-  return part <= max_cell_part ? CameraCourse::slow : CameraCourse::any;
+  return moves_slowly(spacetime, {before.r, before.theta}, {after.r, after.theta}, 2.0);
 }
 
 }  // namespace
@@ -45,12 +48,19 @@ CameraCourse course_of(const EyePicture& picture) {
   const bool steered =
       picture.eye.motion == ObserverMotion::velocity || picture.eye.motion == ObserverMotion::rain_boost;
   if (settings.omni || steered) {
-    return CameraCourse::any;
+    return {};
   }
-  if (settings.moment.time_s && settings.show != nullptr) {
-    return course_at(*settings.show, *settings.moment.time_s);
+  const ShowMoment& moment = settings.moment;
+  const LensPosition here = {picture.eye.head_r, picture.eye.head_theta};
+  CameraCourse course;
+  if (moment.before) {
+    course.slow = moves_slowly(picture.eye.spacetime, *moment.before, here, 1.0);
+    course.step = {here.r - moment.before->r, here.theta - moment.before->theta};
   }
-  return settings.moment.patience_s < ShowMoment::forever_s ? CameraCourse::unknown : CameraCourse::any;
+  if (moment.time_s && settings.show != nullptr) {
+    course.slow = moves_slowly_at(*settings.show, *moment.time_s);
+  }
+  return course;
 }
 
 }  // namespace ergodome

@@ -90,7 +90,8 @@ StarEye eye_of(const EyePicture& picture) {
 }
 
 PixelMatch match_of(const EyePicture& picture) {
-  return picture.settings.moment.patience_s < ShowMoment::forever_s ? PixelMatch::about : PixelMatch::exact;
+  const ShowMoment& moment = picture.settings.moment;
+  return moment.patience_s < ShowMoment::forever_s && !moment.alike ? PixelMatch::about : PixelMatch::exact;
 }
 
 }  // namespace
@@ -215,6 +216,12 @@ StarPass::StarPass(const Show& show, Backend backend, const StarCatalogue& catal
       all_gathered_(show.sky.star_method == StarMethod::gather),
       settings_(star_settings(show)),
       order_(backend == Backend::cpu ? PointOrder::by_row : PointOrder::of_images),
+      cells_([this](const StarEye& middle, const StarSettings& asked, MotionRoom& room) {
+        GridTracer<float> tracer;
+        LensStation station = build_moving_station(middle.camera, asked, &tracer);
+        StarPatches patches = star_patches(field_, colours_.view(), middle, station, asked, room.patches);
+        return MovingPatches(std::move(station), std::move(patches), room);
+      }),
       tiled_(backend) {
   if (all_gathered_) {
     tree_.emplace(field_);
@@ -241,6 +248,7 @@ void StarPass::turn_sky(const Show& show) {
   if (!catalogue_) {
     catalogue_ = load_stars(show);
   }
+  cells_.wait();
   field_ = StarField(*catalogue_, sky_from_equatorial(show.sky), colours_.view());
   images_ = {};
   images_in_place_ = {};
@@ -265,63 +273,15 @@ void StarPass::set_numbers(const Show& show) {
   splat_ = splat_settings(show, spikes_);
 }
 
-const StarPass::CellGrid* StarPass::known_cell(const StarEye& middle, const StarSettings& asked) const {
-  const auto found = std::ranges::find_if(cells_, [&](const CellGrid& each) {
-    return serves_pixel(each.pixel, asked.pixel, asked.about) && each.min_cell_px == asked.min_cell_px &&
-           each.faintest == asked.faintest && served_alike(each.eye, middle);
-  });
-  return found != cells_.end() ? &*found : nullptr;
-}
-
-std::optional<StarEye> StarPass::cell_of(const StarEye& eye, const StarSettings& asked) const {
-  if (asked.course == CameraCourse::any || eye.omni || search_) {
-    return std::nullopt;
-  }
-  const auto middle_of = [](const EyeCamera& camera) {
-    return cell_middle(camera.spacetime, {camera.r, camera.theta});
-  };
-  const std::optional<LensPosition> middle = middle_of(eye.camera);
-  if (!middle) {
-    return std::nullopt;
-  }
-  StarEye there = eye;
-  there.camera.r = there.camera.head_r = middle->r;
-  there.camera.theta = there.camera.head_theta = middle->theta;
-  const auto was_here = [&](const InvertedGrid& each) {
-    const std::optional<LensPosition> other = middle_of(each.eye.camera);
-    return !each.eye.omni && other && same_position(*other, *middle) &&
-           each.eye.camera.spacetime == eye.camera.spacetime;
-  };
-  const bool stays = asked.course == CameraCourse::slow || known_cell(there, asked) != nullptr ||
-                     std::ranges::any_of(turned_, was_here);
-  return stays ? std::optional(there) : std::nullopt;
-}
-
-const MovingPatches& StarPass::patches_of_cell(const StarEye& middle, const StarSettings& asked) {
-  if (const CellGrid* known = known_cell(middle, asked)) {
-    std::rotate(cells_.begin(), cells_.begin() + (known - cells_.data()), cells_.begin() + (known - cells_.data()) + 1);
-    return cells_.front().patches;
-  }
-  MotionRoom room;
-  if (cells_.size() == max_eyes) {
-    room = std::move(cells_.back().patches).given_up();
-    cells_.pop_back();
-  }
-  LensStation station = build_moving_station(middle.camera, asked, &tracer_);
-  std::swap(room.patches.parts, room_.parts);
-  StarPatches patches = star_patches(field_, colours_.view(), middle, station, asked, room.patches);
-  std::swap(room.patches.parts, room_.parts);
-  cells_.insert(cells_.begin(), CellGrid{middle, asked.pixel, asked.min_cell_px, asked.faintest,
-                                         MovingPatches(std::move(station), std::move(patches), room)});
-  return cells_.front().patches;
-}
-
 const StarPass::InvertedGrid& StarPass::patches_for(const StarEye& eye, const StarSettings& asked) {
   const double pixel = asked.pixel;
+  const std::optional<StarEye> middle = search_ ? std::nullopt : cell_of(eye, asked.course);
+  if (middle) {
+    cells_.prepare_next(eye, asked);
+  }
   const auto found = std::ranges::find_if(turned_, [&](const InvertedGrid& each) {
     return serves_pixel(each.pixel, pixel, asked.about) && each.min_cell_px == asked.min_cell_px &&
-           served_alike(each.eye, eye) &&
-           (asked.course == CameraCourse::unknown || each.moved == cell_of(eye, asked).has_value()) &&
+           served_alike(each.eye, eye) && each.moved == middle.has_value() &&
            !(each.moved && each.faintest != asked.faintest);
   });
   if (found != turned_.end()) {
@@ -347,8 +307,7 @@ const StarPass::InvertedGrid& StarPass::patches_for(const StarEye& eye, const St
     on_device = std::move(turned_.back().on_device);
     turned_.pop_back();
   }
-  const std::optional<StarEye> middle = cell_of(eye, asked);
-  const MovingPatches* const cell = middle ? &patches_of_cell(*middle, asked) : nullptr;
+  const MovingPatches* const cell = middle ? &cells_.patches(*middle, asked) : nullptr;
   LensStation station =
       cell != nullptr ? cell->station_at({eye.camera.r, eye.camera.theta}) : build_star_station(eye, asked, &tracer_);
   StarPatches patches = cell != nullptr ? cell->patches_at(station, room_)
@@ -415,7 +374,7 @@ PlacedImages StarPass::sought_in_place(const StarEye& eye, const StarSettings& s
 }
 
 StarSettings StarPass::settings_for(const StarEye& eye, const Projection& projection, bool leaves_trails,
-                                    PixelMatch match, CameraCourse course) const {
+                                    PixelMatch match, const CameraCourse& course) const {
   StarSettings settings = settings_;
   settings.pixel = pixel_angle(projection);
   settings.about = match == PixelMatch::about;
@@ -430,7 +389,7 @@ StarSettings StarPass::settings_for(const StarEye& eye, const Projection& projec
 }
 
 FoundPoints StarPass::find_points(const StarEye& eye, const Projection& projection,
-                                  const std::optional<Shutter>& shutter, PixelMatch match, CameraCourse course) {
+                                  const std::optional<Shutter>& shutter, PixelMatch match, const CameraCourse& course) {
   if (!search_ || shutter || gathers(eye, pixel_angle(projection))) {
     return {find(eye, projection, shutter, match, course), {}};
   }
@@ -442,7 +401,8 @@ FoundPoints StarPass::find_points(const StarEye& eye, const Projection& projecti
 }
 
 std::vector<StarPoint> StarPass::find(const StarEye& eye, const Projection& projection,
-                                      const std::optional<Shutter>& shutter, PixelMatch match, CameraCourse course) {
+                                      const std::optional<Shutter>& shutter, PixelMatch match,
+                                      const CameraCourse& course) {
   if (field_.stars().empty()) {
     return {};
   }
@@ -466,7 +426,7 @@ const std::vector<StarImage>& StarPass::images_of(const StarEye& eye, const Proj
 }
 
 StarLights StarPass::lights(const StarEye& eye, const Projection& projection, double pixel, PixelMatch match,
-                            CameraCourse course) {
+                            const CameraCourse& course) {
   StarLights lights{pixel, splat_.sigma_px, splat_.reach_px() - 1.0, {}};
   if (field_.stars().empty()) {
     return lights;

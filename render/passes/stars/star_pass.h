@@ -14,8 +14,8 @@
 #include "render/passes/stars/drawing/star_splat.h"
 #include "render/passes/stars/drawing/tiled_stars.h"
 #include "render/passes/stars/gather/star_gather.h"
+#include "render/passes/stars/position_cells.h"
 #include "render/passes/stars/search/image_joiner.h"
-#include "render/passes/stars/search/moving_patches.h"
 #include "render/passes/stars/search/star_finder.h"
 #include "render/passes/stars/star_image_cache.h"
 #include "render/passes/stars/star_kind.h"
@@ -42,7 +42,7 @@ struct FoundPoints {
 
 //! Draws the stars of a show. Caches the last inverted lens grids: a camera that rotates or moves
 //! around the spin axis needs no new grid. If the camera only rotates, the images of the last
-//! picture are used again, too. A camera that moves slowly uses one grid for a cell of positions.
+//! picture are used again, too. A camera that moves slowly uses one grid for a cell of positions (PositionCells).
 class StarPass : public Pass {
  public:
   //! Loads the catalog. Throws Error if it cannot be read. On a GPU backend, images are also sought
@@ -73,17 +73,17 @@ class StarPass : public Pass {
   //! Finds the star images of an eye, and their trails if there is a shutter. The images are exact,
   //! whatever lens method the map uses.
   std::vector<StarPoint> find(const StarEye& eye, const Projection& projection, const std::optional<Shutter>& shutter,
-                              PixelMatch match = PixelMatch::exact, CameraCourse course = CameraCourse::any);
+                              PixelMatch match = PixelMatch::exact, const CameraCourse& course = {});
 
   //! Finds the same images as find(), but leaves them in GPU memory if they are found there and
   //! have no trails. Results in GPU memory are valid until the next call.
   FoundPoints find_points(const StarEye& eye, const Projection& projection, const std::optional<Shutter>& shutter,
-                          PixelMatch match, CameraCourse course);
+                          PixelMatch match, const CameraCourse& course);
 
   //! Finds the star images of an eye for an output that draws them (Picture::stars). `pixel`: angle
   //! of its pixels [rad].
   StarLights lights(const StarEye& eye, const Projection& projection, double pixel, PixelMatch match,
-                    CameraCourse course);
+                    const CameraCourse& course);
 
   //! splat_for() returns how points are drawn for a projection. spikes() returns the pattern of
   //! spikes, nullptr if the show has none.
@@ -102,7 +102,7 @@ class StarPass : public Pass {
 
   //! Returns the search settings for a picture.
   [[nodiscard]] StarSettings settings_for(const StarEye& eye, const Projection& projection, bool leaves_trails,
-                                          PixelMatch match, CameraCourse course) const;
+                                          PixelMatch match, const CameraCourse& course) const;
 
   //! Returns whether each pixel gathers its stars: because the show requests it, or because the
   //! lens grid displaces the shadow's edge and thus the images beside it.
@@ -133,22 +133,7 @@ class StarPass : public Pass {
     std::unique_ptr<PlacedPatches> on_device{};
   };
 
-  //! The patches of a cell of positions with the parameters for which they were computed.
-  struct CellGrid {
-    StarEye eye;  //!< in the middle of the cell
-    double pixel;
-    double min_cell_px;
-    float faintest;
-    MovingPatches patches;
-  };
-
   void place(InvertedGrid& turned) const;
-
-  //! Returns an eye in the middle of the cell whose patches are moved for `eye`; nothing if a grid
-  //! is built for its position.
-  [[nodiscard]] std::optional<StarEye> cell_of(const StarEye& eye, const StarSettings& asked) const;
-  const MovingPatches& patches_of_cell(const StarEye& middle, const StarSettings& asked);
-  [[nodiscard]] const CellGrid* known_cell(const StarEye& middle, const StarSettings& asked) const;
 
   const InvertedGrid& patches_for(const StarEye& eye, const StarSettings& settings);
 
@@ -170,7 +155,7 @@ class StarPass : public Pass {
   std::optional<DiffractionSettings> pattern_;  //!< settings from which `spikes_` was computed
   GridTracer<float> tracer_;
   std::vector<InvertedGrid> turned_;  //!< inverted grids of the last eyes, most recent first
-  std::vector<CellGrid> cells_;       //!< cells of the last eyes, most recent first
+  PositionCells cells_;
   PatchRoom room_;
   StarImageCache<std::vector<StarImage>> images_;
   StarImageCache<PlacedImages> images_in_place_;

@@ -57,6 +57,8 @@ TEST(ClusterMessages, KeepEveryMemberOfAFrame) {
   EXPECT_EQ(frame.pose.velocity->y, -0.2);
   EXPECT_TRUE(frame.pose.velocity_in_rain);
   EXPECT_EQ(frame.pose.clock_lead, -17.5);
+  EXPECT_EQ(frame.before->r, 12.5);
+  EXPECT_EQ(frame.before->theta, 1.25);
   EXPECT_EQ(frame.motion, sent.motion);
   EXPECT_EQ(frame.velocity.z, -0.125);
   EXPECT_EQ(frame.mode, sent.mode);

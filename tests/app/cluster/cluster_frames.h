@@ -13,6 +13,7 @@ inline ClusterFrame full_frame() {
   frame.on_path = true;
   frame.rate = -1.5;
   frame.pose = {12.25, 1.5, -3.0, glm::dquat(0.5, -0.5, 0.5, -0.5), Vector3<double>{0.1, -0.2, 0.3}, true, -17.5};
+  frame.before = LensPosition{12.5, 1.25};
   frame.motion = ObserverMotion::velocity;
   frame.velocity = {0.5, 0.25, -0.125};
   frame.mode = ViewMode::magnification;

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <utility>
 
 #include "app/cli/show_loading.h"
 #include "app/cluster/cluster_codec.h"
@@ -19,6 +22,7 @@ PictureRequest some_request() {
   request.frame.time_s = 12.3456789012345;
   request.frame.path_time_s = request.frame.time_s;
   request.frame.pose = test::full_frame().pose;
+  request.before = LensPosition{12.0, 1.5};
   request.frame.observer.motion = ObserverMotion::velocity;
   request.frame.observer.velocity = {0.1, 0.2, 0.3};
   request.frame.stereo.baseline = 0.5;
@@ -59,6 +63,58 @@ TEST(ClusterFrames, LetTwoComputersRenderTheSameRequest) {
   EXPECT_EQ(there.quality, sent.quality);
   EXPECT_EQ(there.whole_px, 1024);
   EXPECT_EQ(there.patience_s, here.patience_s);
+  EXPECT_EQ(there.before->r, 12.0);
+  EXPECT_EQ(there.before->theta, 1.5);
+  EXPECT_TRUE(there.alike);
+  EXPECT_TRUE(here.alike);
+}
+
+//! Renders a picture of a flight as a computer of a cluster does.
+PixelValues picture_of_flight(const std::shared_ptr<ShowRenderer>& renderer, const LensPosition& before,
+                              const LensPosition& here, double budget_px, int size_px = 256) {
+  PictureRequest sent;
+  sent.frame.pose = camera_pose(renderer->show(), 0.0);
+  sent.frame.pose.r = here.r;
+  sent.frame.pose.theta = here.theta;
+  sent.frame.field_of_view_deg = 180.0;
+  sent.before = before;
+  sent.size_px = size_px;
+  sent.quality = FrameQuality{budget_px, LensChoice::live, SkyFilter::ewa};
+  sent.whole_px = 256;
+  PictureRequest request;
+  request.renderer = renderer;
+  apply(cluster_frame(sent, 1.0), request);
+  return render_for_output(request).picture.rgba;
+}
+
+TEST(ClusterFrames, OfAFlightAmongStarsDoNotDependOnEarlierPictures) {
+  Show show;
+  show.camera.keys.emplace_back();
+  show.view.projection = ViewProjection::dome;
+  show.sky.stars = "bright_stars";
+  show.sky.faintest_mag = 6.0;
+  const auto computer = [&] { return std::make_shared<ShowRenderer>(show, Backend::cpu); };
+  const auto master = computer();
+  const auto expect_joins = [&](const LensPosition& before, const LensPosition& here, double budget_px,
+                                int size_px = 256) {
+    const PixelValues shown = picture_of_flight(master, before, here, budget_px, size_px);
+    const PixelValues joined = picture_of_flight(computer(), before, here, budget_px, size_px);
+    ASSERT_EQ(shown.size(), joined.size());
+    EXPECT_TRUE(std::ranges::equal(shown, joined)) << "r = " << here.r << ", " << budget_px << " px";
+  };
+  LensPosition here = {8.0, 1.3};
+  expect_joins(here, here, 0.25);
+  for (int frame = 0; frame < 12; ++frame) {
+    const LensPosition before = std::exchange(here, LensPosition{here.r - 0.008, here.theta + 2e-4});
+    if (frame % 4 == 3) {
+      expect_joins(before, here, 0.25);
+    } else {
+      picture_of_flight(master, before, here, 0.25);
+    }
+  }
+  expect_joins(here, here, 0.25);
+  expect_joins(here, here, 0.4);
+  expect_joins(here, here, 0.4, 254);
 }
 
 TEST(ClusterFrames, ShowAPictureWithTheStopsOfTheMaster) {

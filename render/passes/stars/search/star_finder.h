@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "kernels/sky/blackbody.h"
 #include "kernels/stars/seen_image.h"
 #include "render/lens/grid/grid_tracer.h"
+#include "render/lens/stations/lens_position.h"
 #include "render/passes/stars/search/patch_search.h"
 #include "render/passes/stars/search/star_patches.h"
 #include "render/passes/stars/search/view_cone.h"
@@ -13,12 +15,13 @@
 namespace ergodome {
 
 //! How a camera moves, which decides how the star grids for its positions are made.
-enum class CameraCourse {
-  any,   //!< a grid is built for each position
-  slow,  //!< many successive positions lie in one cell, whose patches are moved (MovingPatches)
-  //! Not known in advance: a grid is built for the first position in a cell, and the patches of the
-  //! cell are moved for the next ones. Images then depend, within their errors, on earlier pictures.
-  unknown
+struct CameraCourse {
+  //! Many successive positions lie in one cell, whose patches are moved (MovingPatches). Otherwise
+  //! a grid is built for each position.
+  bool slow = false;
+  //! Change of the position from picture to picture, for which the next cell is prepared in the
+  //! background; absent: none is prepared.
+  std::optional<LensPosition> step{};
 };
 
 //! Selects which images to find, and how accurately.
@@ -34,7 +37,7 @@ struct StarSettings {
   bool magnification = true;  //!< apply the lens magnification; otherwise images are as bright as the star
   bool about =
       false;  //!< reuse results for similar pixel sizes, for windows whose picture size adapts to the frame time
-  CameraCourse course = CameraCourse::any;
+  CameraCourse course{};
 };
 
 //! Returns the minimum cell area of a star grid for a show's lens budget [px²]. At a budget of

@@ -169,11 +169,12 @@ TEST(StarsOfASlowCamera, DoNotDependOnEarlierPictures) {
   const Projection projection = make_dome_projection(512, pi, 0.5);
   EyeCamera eye = eye_at_position({0.9, 8.0, 1.3, 0.2, ObserverMotion::zamo});
   std::vector<StarPoint> points;
+  const LensPosition step = {-0.01, 0.0};
   for (int frame = 0; frame < 12; ++frame) {
-    eye.r = eye.head_r = 8.0 - 0.01 * frame;
-    points = passing.find(eye, projection, {}, PixelMatch::exact, CameraCourse::slow);
+    eye.r = eye.head_r = 8.0 + step.r * frame;
+    points = passing.find(eye, projection, {}, PixelMatch::exact, {true, step});
   }
-  const std::vector<StarPoint> alone = fresh.find(eye, projection, {}, PixelMatch::exact, CameraCourse::slow);
+  const std::vector<StarPoint> alone = fresh.find(eye, projection, {}, PixelMatch::exact, {true});
   ASSERT_EQ(points.size(), alone.size());
   EXPECT_TRUE(std::ranges::equal(points, alone, [](const StarPoint& a, const StarPoint& b) {
     return a.x_px == b.x_px && a.y_px == b.y_px && a.light.y == b.light.y;
