@@ -45,10 +45,13 @@ SceneRenderers::News SessionPictures::take_renderer(const Show& show) {
 
 bool SessionPictures::shows_now(double now_s) {
   constexpr double longest_s = 0.04;
-  // Drawing a window takes time from the next picture. So with a frame rate to hold, the window is
-  // not drawn again without a new picture, except after `longest_s`.
-  const bool rate = budget_ && budget_->plan().budget.frame_rate_hz;
-  if (rate && shown_pictures_ == report().pictures && now_s < shown_s_ + longest_s) {
+  // Drawing a window takes time from the next picture if software draws it, as on most machines
+  // whose CPU renders pictures, or if there is a frame rate to hold. Then the window is not drawn
+  // again without a new picture, except after `longest_s`.
+  const std::shared_ptr<ShowRenderer>& renderer = renderers_.current();
+  const bool saves_time =
+      (renderer && renderer->backend() == Backend::cpu) || (budget_ && budget_->plan().budget.frame_rate_hz);
+  if (saves_time && shown_pictures_ == report().pictures && now_s < shown_s_ + longest_s) {
     return false;
   }
   shown_pictures_ = report().pictures;

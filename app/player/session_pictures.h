@@ -36,8 +36,9 @@ class SessionPictures {
   //! in use, or why there is none.
   SceneRenderers::News take_renderer(const Show& show);
 
-  //! Returns whether to show the output now. Without a frame rate budget, always; with one, for
-  //! each new picture, and 40 ms after it was last shown, because texts may have changed.
+  //! Returns whether to show the output now: always if a GPU renders and there is no frame rate to
+  //! hold; otherwise for each new picture, and 40 ms after it was last shown, because texts may
+  //! have changed.
   [[nodiscard]] bool shows_now(double now_s);
 
  private:

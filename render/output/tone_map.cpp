@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "kernels/image/color_map.h"
 #include "kernels/launch/parallel_for.h"
@@ -37,15 +38,24 @@ float display_light(const Picture& picture, std::size_t index) {
   return shown > 0.0F ? std::min(shown, 1.0F) : 0.0F;
 }
 
-//! Computes three values per pixel by applying `encoded` to the display light.
-template <class Value, class Encode>
+std::uint8_t byte_of_light(float light) {
+  return encoding_table()[static_cast<std::size_t>(std::lrint(light * (encoding_table_size - 1)))];
+}
+
+//! Computes values of pixels by applying `encoded` to the display light of the three colors. A
+//! fourth channel has the largest value.
+template <class Value, std::size_t channels = 3, class Encode>
 std::vector<Value> display_values(const Picture& picture, const Encode& encoded) {
-  std::vector<Value> values(3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
+  std::vector<Value> values(channels * static_cast<std::size_t>(picture.width) *
+                            static_cast<std::size_t>(picture.height));
   parallel_for(picture.height, 16, [&](int begin, int end) {
     for (std::size_t i = static_cast<std::size_t>(begin) * static_cast<std::size_t>(picture.width);
          i < static_cast<std::size_t>(end) * static_cast<std::size_t>(picture.width); ++i) {
       for (std::size_t c = 0; c < 3; ++c) {
-        values[3 * i + c] = encoded(display_light(picture, 4 * i + c));
+        values[channels * i + c] = encoded(display_light(picture, 4 * i + c));
+      }
+      if constexpr (channels == 4) {
+        values[channels * i + 3] = std::numeric_limits<Value>::max();
       }
     }
   });
@@ -55,10 +65,11 @@ std::vector<Value> display_values(const Picture& picture, const Encode& encoded)
 }  // namespace
 
 std::vector<std::uint8_t> tone_mapped(const Picture& picture) {
-  const auto& table = encoding_table();
-  return display_values<std::uint8_t>(picture, [&](float light) {
-    return table[static_cast<std::size_t>(std::lrint(light * (encoding_table_size - 1)))];
-  });
+  return display_values<std::uint8_t>(picture, byte_of_light);
+}
+
+std::vector<std::uint8_t> tone_mapped_rgba(const Picture& picture) {
+  return display_values<std::uint8_t, 4>(picture, byte_of_light);
 }
 
 std::vector<std::uint16_t> tone_mapped_finely(const Picture& picture) {

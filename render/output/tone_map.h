@@ -23,6 +23,9 @@ inline Tone tone_of(const ToneSettings& settings) {
 //! Applies the picture's tone. Heat maps already contain display colors, so they are only encoded.
 std::vector<std::uint8_t> tone_mapped(const Picture& picture);
 
+//! Returns the same as tone_mapped() with a fourth byte of 255 for each pixel.
+std::vector<std::uint8_t> tone_mapped_rgba(const Picture& picture);
+
 //! Returns the same as tone_mapped() with 16 bits per channel.
 std::vector<std::uint16_t> tone_mapped_finely(const Picture& picture);
 

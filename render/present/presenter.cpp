@@ -8,6 +8,7 @@
 #include <string>
 
 #include "render/opengl/gl_program.h"
+#include "render/output/tone_map.h"
 #include "render/present/caption_texture.h"
 #include "render/present/cuda_interop.h"
 
@@ -15,11 +16,14 @@ namespace ergodome {
 
 struct Presenter::State {
   GLuint program = 0;
+  GLuint encoded_program = 0;
+  GLuint dimmed_program = 0;
   GLuint captions_program = 0;
   GLuint vertex_array = 0;
   GLuint texture = 0;
   int width = 0;
   int height = 0;
+  bool encoded = false;  // the texture has display values
   bool heat_map = false;
   Tone tone;
   float light = 1.0F;
@@ -27,6 +31,17 @@ struct Presenter::State {
   std::unique_ptr<CudaTextureLink> link;
   CaptionTexture captions;
   EyeGrid eyes;
+
+  //! Uploads a picture to a part of the texture.
+  void fill(const Picture& picture, int left_px, int top_px) const {
+    if (encoded) {
+      glTextureSubImage2D(texture, 0, left_px, top_px, picture.width, picture.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                          tone_mapped_rgba(picture).data());
+    } else {
+      glTextureSubImage2D(texture, 0, left_px, top_px, picture.width, picture.height, GL_RGBA, GL_FLOAT,
+                          picture.rgba.data());
+    }
+  }
 };
 
 namespace {
@@ -54,6 +69,7 @@ layout(location = 0) uniform bool heat_map;
 layout(location = 4) uniform float dimmed;
 layout(location = 3) uniform vec2 part;  // part of the picture: begin, width
 layout(location = 5) uniform int rows;   // framebuffer rows that alternate between this part and the next; 0: none
+vec3 shown(vec3 texel);
 void main() {
   // Counts rows from the top of the whole framebuffer, whichever part of it the picture fills.
   bool next = rows > 0 && (rows - 1 - int(gl_FragCoord.y)) % 2 == 1;
@@ -62,10 +78,30 @@ void main() {
   float half_texel = 0.5 / float(textureSize(picture, 0).x);
   float across = clamp(begin + part.y * place.x, begin + half_texel, begin + part.y - half_texel);
   // The picture's first row is its top.
-  vec3 light = max(texture(picture, vec2(across, 1.0 - place.y)).rgb, vec3(0.0));
-  colour = vec4(encoded(dimmed * clamp(heat_map ? light : toned(light), 0.0, 1.0)), 1.0);
+  colour = vec4(shown(max(texture(picture, vec2(across, 1.0 - place.y)).rgb, vec3(0.0))), 1.0);
 }
 )";
+
+// The function shown() of a window: for a picture of light, and for one of display values at full
+// light and dimmed. They are programs of their own, because drivers that draw in software execute
+// all branches of a program.
+constexpr const char* window_light_source = R"(
+vec3 shown(vec3 texel) {
+  return encoded(dimmed * clamp(heat_map ? texel : toned(texel), 0.0, 1.0));
+}
+)";
+constexpr const char* window_encoded_source = "vec3 shown(vec3 texel) { return texel; }\n";
+constexpr const char* window_dimmed_source = R"(
+vec3 shown(vec3 texel) {
+  vec3 light = mix(texel / 12.92, pow((texel + 0.055) / 1.055, vec3(2.4)), greaterThan(texel, vec3(0.04045)));
+  return encoded(dimmed * light);
+}
+)";
+
+GLuint window_program(const char* shown_source) {
+  return linked_program(whole_viewport_source,
+                        std::string(tone_source) + encoding_source + window_source + shown_source);
+}
 
 //! Returns the width of a part of a picture, as a fraction of the picture's width.
 double share_of(PicturePart part) { return part == PicturePart::whole ? 1.0 : 0.5; }
@@ -74,7 +110,7 @@ double share_of(PicturePart part) { return part == PicturePart::whole ? 1.0 : 0.
 
 Presenter::Presenter() : state_(std::make_unique<State>()) {
   require_gl_45();
-  state_->program = linked_program(whole_viewport_source, std::string(tone_source) + encoding_source + window_source);
+  state_->program = window_program(window_light_source);
   state_->captions_program = linked_program(whole_viewport_source, std::string(captions_source) + encoding_source);
   glCreateVertexArrays(1, &state_->vertex_array);
 }
@@ -84,17 +120,27 @@ Presenter::~Presenter() {
   glDeleteTextures(1, &state_->texture);
   glDeleteVertexArrays(1, &state_->vertex_array);
   glDeleteProgram(state_->captions_program);
-  glDeleteProgram(state_->program);
+  for (const GLuint program : {state_->program, state_->encoded_program, state_->dimmed_program}) {
+    glDeleteProgram(program);
+  }
 }
 
-void Presenter::resize(int width, int height) {
-  if (state_->texture != 0 && state_->width == width && state_->height == height) {
+void Presenter::encode_before_upload() {
+  if (state_->encoded_program == 0) {
+    state_->encoded_program = window_program(window_encoded_source);
+    state_->dimmed_program = window_program(window_dimmed_source);
+  }
+}
+
+void Presenter::resize(int width, int height, bool encoded) {
+  if (state_->texture != 0 && state_->width == width && state_->height == height && state_->encoded == encoded) {
     return;
   }
+  state_->encoded = encoded;
   state_->link.reset();
   glDeleteTextures(1, &state_->texture);
   glCreateTextures(GL_TEXTURE_2D, 1, &state_->texture);
-  glTextureStorage2D(state_->texture, 1, GL_RGBA32F, width, height);
+  glTextureStorage2D(state_->texture, 1, encoded ? GL_RGBA8 : GL_RGBA32F, width, height);
   glTextureParameteri(state_->texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTextureParameteri(state_->texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTextureParameteri(state_->texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -104,23 +150,22 @@ void Presenter::resize(int width, int height) {
 }
 
 void Presenter::upload(const Picture& picture) {
-  resize(picture.width, picture.height);
+  resize(picture.width, picture.height, state_->encoded_program != 0);
   ++state_->version;
   state_->heat_map = picture.heat_range.has_value();
   state_->tone = picture.tone;
-  glTextureSubImage2D(state_->texture, 0, 0, 0, picture.width, picture.height, GL_RGBA, GL_FLOAT, picture.rgba.data());
+  state_->fill(picture, 0, 0);
 }
 
 void Presenter::upload_eyes(const Picture& left, const Picture& right, bool above) {
   const int left_px = above ? 0 : left.width;
   const int top_px = above ? left.height : 0;
-  resize(left_px + right.width, top_px + right.height);
+  resize(left_px + right.width, top_px + right.height, state_->encoded_program != 0);
   ++state_->version;
   state_->heat_map = left.heat_range.has_value();
   state_->tone = left.tone;
-  glTextureSubImage2D(state_->texture, 0, 0, 0, left.width, left.height, GL_RGBA, GL_FLOAT, left.rgba.data());
-  glTextureSubImage2D(state_->texture, 0, left_px, top_px, right.width, right.height, GL_RGBA, GL_FLOAT,
-                      right.rgba.data());
+  state_->fill(left, 0, 0);
+  state_->fill(right, left_px, top_px);
 }
 
 void Presenter::upload_from_device(const DevicePicture& picture) {
@@ -128,7 +173,7 @@ void Presenter::upload_from_device(const DevicePicture& picture) {
   const int height = picture.height_px;
   const int left_px = picture.right == nullptr || picture.above ? 0 : width;
   const int top_px = picture.right != nullptr && picture.above ? height : 0;
-  resize(left_px + width, top_px + height);
+  resize(left_px + width, top_px + height, false);
   ++state_->version;
   state_->heat_map = picture.heat_map;
   state_->tone = picture.tone;
@@ -178,7 +223,9 @@ void Presenter::draw(int framebuffer_width, int framebuffer_height, PicturePart 
     return;
   }
   glViewport(shown.left, shown.bottom, shown.width, shown.height);
-  glUseProgram(state_->program);
+  glUseProgram(!state_->encoded       ? state_->program
+               : state_->light < 1.0F ? state_->dimmed_program
+                                      : state_->encoded_program);
   glUniform1i(0, state_->heat_map ? 1 : 0);
   set_tone(state_->tone);
   glUniform1f(4, state_->light);

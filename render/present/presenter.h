@@ -12,7 +12,8 @@
 
 namespace ergodome {
 
-//! A picture on the GPU: linear light, RGBA32F, top row first.
+//! A picture on the GPU: linear light, RGBA32F, top row first. Not for a presenter that encodes
+//! pictures before they are uploaded.
 struct PresentedPicture {
   unsigned texture = 0;  //!< 0: none yet
   int width = 0;
@@ -38,7 +39,7 @@ struct PictureArea {
 
 //! Shows pictures in the current OpenGL context: uploads linear light, tone-maps and encodes it on
 //! the GPU, and fits it into the window with black bars. The shader computes the same values as
-//! render/output/tone_map.h.
+//! render/output/tone_map.h, except where a presenter encodes pictures before they are uploaded.
 class Presenter {
  public:
   //! Uses the OpenGL 4.5 core context that is current. Throws Error if the driver rejects the
@@ -47,6 +48,11 @@ class Presenter {
   ~Presenter();
   Presenter(const Presenter&) = delete;
   Presenter& operator=(const Presenter&) = delete;
+
+  //! Lets the CPU tone-map and encode pictures from host memory before they are uploaded. For drivers
+  //! that draw in software, whose shaders take several times as long. If a picture is not as wide
+  //! as the window, encoded values are interpolated instead of light.
+  void encode_before_upload();
 
   //! Uploads a picture from host memory. It is shown until the next one is uploaded.
   void upload(const Picture& picture);
@@ -81,7 +87,7 @@ class Presenter {
 
  private:
   struct State;
-  void resize(int width, int height);
+  void resize(int width, int height, bool encoded);
   //! Draws captions over each eye in an area.
   void draw_captions(const PictureArea& shown, const EyeGrid& eyes);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/opengl/gl_program.h"
 #include "render/opengl/headless_context.h"
 #include "render/output/color_bar.h"
 #include "render/output/image_writer.h"
@@ -15,6 +16,9 @@ WindowOutput::WindowOutput(const WindowOptions& options)
               options.eye_buffers ? WindowBuffers::stereo : WindowBuffers::plain) {
   if (options.full_screen) {
     window_.hide_cursor();
+  }
+  if (draws_in_software()) {
+    presenter_.encode_before_upload();
   }
 }
 

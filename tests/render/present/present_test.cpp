@@ -101,6 +101,33 @@ TEST_F(Present, WindowsShowEveryToneAsFilesDo) {
   }
 }
 
+TEST_F(Present, PicturesAreTheSameIfTheCpuEncodesThem) {
+  make_framebuffer(80, 20);
+  Picture left = corners(40, 20);
+  left.rgba[0] = 30.0F;
+  left.tone = {ToneCurve::shoulder, 1.7F, 3.0F, 1.8F};
+  Picture right = left;
+  std::ranges::reverse(right.rgba);
+  Presenter one;
+  Presenter other;
+  other.encode_before_upload();
+  for (Presenter* const presenter : {&one, &other}) {
+    presenter->upload_eyes(left, right, false);
+  }
+  for (const float light : {1.0F, 0.3F}) {
+    one.set_light(light);
+    other.set_light(light);
+    one.draw(80, 20);
+    const auto expected = read_framebuffer(80, 20);
+    other.draw(80, 20);
+    const auto shown = read_framebuffer(80, 20);
+    EXPECT_GT(*std::ranges::max_element(shown), 100);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      ASSERT_NEAR(shown[i], expected[i], 1) << i << ", light " << light;
+    }
+  }
+}
+
 TEST_F(Present, PictureOfAnotherShapeIsLetterboxed) {
   make_framebuffer(100, 100);
   Presenter presenter;
