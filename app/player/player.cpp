@@ -141,7 +141,7 @@ void Player::begin(const Show& show, bool free_flight) {
 void Player::run() {
   while (!output_->closed() && !interrupted()) {
     advance();
-    if (output_->sets_pace() || pictures_.shows_now(session_->now_s())) {
+    if (output_->sets_pace() || pictures_.shows_now(session_->now_s(), session_->frame().light)) {
       output_->show();
     }
     end_in_time();

@@ -43,15 +43,16 @@ SceneRenderers::News SessionPictures::take_renderer(const Show& show) {
   return news;
 }
 
-bool SessionPictures::shows_now(double now_s) {
-  constexpr double longest_s = 0.04;
+bool SessionPictures::shows_now(double now_s, double light) {
+  constexpr double longest_s = 0.1;
   // Drawing a window takes time from the next picture if software draws it, as on most machines
   // whose CPU renders pictures, or if there is a frame rate to hold. Then the window is not drawn
   // again without a new picture, except after `longest_s`.
   const std::shared_ptr<ShowRenderer>& renderer = renderers_.current();
   const bool saves_time =
       (renderer && renderer->backend() == Backend::cpu) || (budget_ && budget_->plan().budget.frame_rate_hz);
-  if (saves_time && shown_pictures_ == report().pictures && now_s < shown_s_ + longest_s) {
+  const bool dims = std::exchange(shown_light_, light) != light;
+  if (saves_time && !dims && shown_pictures_ == report().pictures && now_s < shown_s_ + longest_s) {
     return false;
   }
   shown_pictures_ = report().pictures;

@@ -36,10 +36,10 @@ class SessionPictures {
   //! in use, or why there is none.
   SceneRenderers::News take_renderer(const Show& show);
 
-  //! Returns whether to show the output now: always if a GPU renders and there is no frame rate to
-  //! hold; otherwise for each new picture, and 40 ms after it was last shown, because texts may
-  //! have changed.
-  [[nodiscard]] bool shows_now(double now_s);
+  //! Returns whether to show the output now, at a factor on its light: always if a GPU renders and
+  //! there is no frame rate to hold; otherwise for each new picture, each change of the light, and
+  //! a tenth of a second after it was last shown, because texts may have changed.
+  [[nodiscard]] bool shows_now(double now_s, double light);
 
  private:
   void add_budget(PictureRequest& wish, double now_s);
@@ -62,6 +62,7 @@ class SessionPictures {
   int failures_ = 0;                 //!< consecutive pictures that failed
   long shown_pictures_ = -1;         //!< number of pictures when the output was last shown
   double shown_s_ = 0.0;             //!< when the output was last shown
+  double shown_light_ = 1.0;         //!< factor on the light when it was last asked for
 };
 
 }  // namespace ergodome

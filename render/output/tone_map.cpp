@@ -30,17 +30,34 @@ const std::array<std::uint8_t, encoding_table_size>& encoding_table() {
   return table;
 }
 
-//! Returns a channel's display light, 0 to 1. NaN becomes black, because the comparison is false
-//! for it.
-float display_light(const Picture& picture, std::size_t index) {
-  const float light = picture.rgba[index];
-  const float shown = picture.heat_range.has_value() ? light : toned(picture.tone, light);
-  return shown > 0.0F ? std::min(shown, 1.0F) : 0.0F;
-}
+//! Computes display light, 0 to 1, from the light of a channel.
+class DisplayLight {
+ public:
+  explicit DisplayLight(const Picture& picture)
+      : tone_(picture.tone),
+        is_display_(picture.heat_range.has_value()),
+        gain_(is_display_ ? 1.0F : tone_.gain),
+        linear_to_(is_display_                          ? 1.0F
+                   : tone_.curve == ToneCurve::shoulder ? tone_knee
+                                                        : 0.0F) {}
 
-std::uint8_t byte_of_light(float light) {
-  return encoding_table()[static_cast<std::size_t>(std::lrint(light * (encoding_table_size - 1)))];
-}
+  float operator()(float light) const {
+    // Most light is in the linear part of the curve, or black.
+    const float gained = gain_ * light;
+    if (gained <= linear_to_) {
+      return gained > 0.0F ? gained : 0.0F;
+    }
+    const float shown = is_display_ ? light : toned(tone_, light);
+    // NaN becomes black, because the comparison is false for it.
+    return shown > 0.0F ? std::min(shown, 1.0F) : 0.0F;
+  }
+
+ private:
+  Tone tone_;
+  bool is_display_;
+  float gain_;
+  float linear_to_;  //!< gained light up to which the curve is the identity
+};
 
 //! Computes values of pixels by applying `encoded` to the display light of the three colors. A
 //! fourth channel has the largest value.
@@ -48,11 +65,12 @@ template <class Value, std::size_t channels = 3, class Encode>
 std::vector<Value> display_values(const Picture& picture, const Encode& encoded) {
   std::vector<Value> values(channels * static_cast<std::size_t>(picture.width) *
                             static_cast<std::size_t>(picture.height));
+  const DisplayLight display_light(picture);
   parallel_for(picture.height, 16, [&](int begin, int end) {
     for (std::size_t i = static_cast<std::size_t>(begin) * static_cast<std::size_t>(picture.width);
          i < static_cast<std::size_t>(end) * static_cast<std::size_t>(picture.width); ++i) {
       for (std::size_t c = 0; c < 3; ++c) {
-        values[channels * i + c] = encoded(display_light(picture, 4 * i + c));
+        values[channels * i + c] = encoded(display_light(picture.rgba[4 * i + c]));
       }
       if constexpr (channels == 4) {
         values[channels * i + 3] = std::numeric_limits<Value>::max();
@@ -62,15 +80,20 @@ std::vector<Value> display_values(const Picture& picture, const Encode& encoded)
   return values;
 }
 
+//! Computes sRGB bytes of pixels.
+template <std::size_t channels>
+std::vector<std::uint8_t> display_bytes(const Picture& picture) {
+  const auto& table = encoding_table();
+  return display_values<std::uint8_t, channels>(picture, [&table](float light) {
+    return table[static_cast<std::size_t>(std::lrint(light * (encoding_table_size - 1)))];
+  });
+}
+
 }  // namespace
 
-std::vector<std::uint8_t> tone_mapped(const Picture& picture) {
-  return display_values<std::uint8_t>(picture, byte_of_light);
-}
+std::vector<std::uint8_t> tone_mapped(const Picture& picture) { return display_bytes<3>(picture); }
 
-std::vector<std::uint8_t> tone_mapped_rgba(const Picture& picture) {
-  return display_values<std::uint8_t, 4>(picture, byte_of_light);
-}
+std::vector<std::uint8_t> tone_mapped_rgba(const Picture& picture) { return display_bytes<4>(picture); }
 
 std::vector<std::uint16_t> tone_mapped_finely(const Picture& picture) {
   return display_values<std::uint16_t>(picture, [](float light) {
