@@ -31,9 +31,9 @@ const std::array<std::uint8_t, encoding_table_size>& encoding_table() {
 }
 
 //! Computes display light, 0 to 1, from the light of a channel.
-class DisplayLight {
+class ChannelTone {
  public:
-  explicit DisplayLight(const Picture& picture)
+  explicit ChannelTone(const Picture& picture)
       : tone_(picture.tone),
         is_display_(picture.heat_range.has_value()),
         gain_(is_display_ ? 1.0F : tone_.gain),
@@ -65,7 +65,7 @@ template <class Value, std::size_t channels = 3, class Encode>
 std::vector<Value> display_values(const Picture& picture, const Encode& encoded) {
   std::vector<Value> values(channels * static_cast<std::size_t>(picture.width) *
                             static_cast<std::size_t>(picture.height));
-  const DisplayLight display_light(picture);
+  const ChannelTone display_light(picture);
   parallel_for(picture.height, 16, [&](int begin, int end) {
     for (std::size_t i = static_cast<std::size_t>(begin) * static_cast<std::size_t>(picture.width);
          i < static_cast<std::size_t>(end) * static_cast<std::size_t>(picture.width); ++i) {
