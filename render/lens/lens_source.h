@@ -40,17 +40,20 @@ class LensSource {
   [[nodiscard]] virtual bool behind() const { return false; }
 };
 
-//! Frames with fewer pixels are faster without a grid; compare dome_frame/direct and
-//! dome_frame/live_grid in tests/bench.
-inline constexpr double min_grid_pixels = 150'000.0;
+//! Frames with fewer pixels may be faster without a grid: domes are not, but windows see only a part
+//! of the sky of a grid. Compare dome_frame/direct and dome_frame/live_grid in tests/bench. The grid
+//! of an ODS eye costs more.
+inline constexpr double min_grid_pixels = 10'000.0;
+inline constexpr double min_omni_grid_pixels = 150'000.0;
 
 //! Smallest budget of displacements on the screen [rad] for which float rays are accurate enough to
 //! build a grid.
 inline constexpr double finest_float_budget = 2e-5;
 
-//! Returns whether building a grid is cheaper than one ray per pixel. On a GPU it never is.
-inline bool is_worth_a_grid(Backend backend, double pixels) {
-  return backend == Backend::cpu && pixels >= min_grid_pixels;
+//! Returns whether building a grid is cheaper than one ray per pixel. On a GPU it never is. `omni`:
+//! for an ODS eye.
+inline bool is_worth_a_grid(Backend backend, double pixels, bool omni = false) {
+  return backend == Backend::cpu && pixels >= (omni ? min_omni_grid_pixels : min_grid_pixels);
 }
 
 //! Returns whether a view mode shows properties of the rays. In such modes every ray is traced,

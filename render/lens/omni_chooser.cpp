@@ -45,7 +45,7 @@ std::unique_ptr<LensSource> OmniChooser::choose(const std::shared_ptr<const Omni
   settings.min_area_px = min_cell_px;
   const double pixels = static_cast<double>(projection.width_px) * projection.height_px;
   const bool asked = choice == LensChoice::live || choice == LensChoice::streamed;
-  const bool worth_it = is_worth_a_grid(backend_, pixels) && settings.budget_px <= accuracy.budget_px;
+  const bool worth_it = is_worth_a_grid(backend_, pixels, true) && settings.budget_px <= accuracy.budget_px;
   if (backend_ == Backend::cpu && choice != LensChoice::direct && !shows_rays(mode) && (asked || worth_it)) {
     const Grid& grid = grid_for(eye, settings);
     if (asked || grid.traced_px < 0.25 * pixels) {

@@ -130,7 +130,7 @@ long expect_two_ways_agree(const CameraState& camera_state, const Directions& ra
     // the closed form, which then loses half of its digits. Near the spin axis, its accuracy
     // depends on the distance from the axis, and any ray may be close to a principal null
     // direction.
-    const bool beside_axis = std::sin(camera_state.theta) < 1e-6;
+    const bool beside_axis = std::sin(camera_state.theta) < 1e-5;
     const double meeting = k % 8 == 4 || beside_axis ? 1e-7 / std::sin(camera_state.theta) : 0.0;
     const double allowed = room * (20.0 * rounding.of(rays[k]) + 1e-8 + meeting);
     if (series.status[k] == 0.0 && allowed < 1e-2) {

@@ -39,7 +39,7 @@ void plan_omni(PlanWriter& plan, const LensChannels& channels) {
   const std::string model = plan.why("stereo.model");
   const bool asked = plan.request().lens == LensChoice::live || plan.request().lens == LensChoice::streamed;
   const bool traced = !plan.on_cpu() || plan.request().lens == LensChoice::direct || shows_rays(plan.request().mode) ||
-                      (!asked && !is_worth_a_grid(plan.request().backend, static_cast<double>(plan.pixels())));
+                      (!asked && !is_worth_a_grid(plan.request().backend, static_cast<double>(plan.pixels()), true));
   plan.buffer("omni cameras", WorkMoment::picture, 0, model);
   plan.set_lens(traced ? "direct" : "live");
   if (traced) {
