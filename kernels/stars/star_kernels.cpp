@@ -3,6 +3,7 @@
 #include "kernels/stars/search/part_halving_kernel.h"
 #include "kernels/stars/search/part_solving_kernel.h"
 #include "kernels/stars/search/patch_measure_kernel.h"
+#include "kernels/stars/search/patch_motion_kernel.h"
 #include "kernels/stars/search/patch_pairs_kernel.h"
 #include "kernels/stars/search/star_bands_kernel.h"
 #include "kernels/stars/star_images_kernel.h"
@@ -14,6 +15,7 @@ ERGO_CPU_KERNEL(StarImageBatch<double>);
 ERGO_CPU_KERNEL(ObservedPositionBatch);
 ERGO_CPU_KERNEL(StarSearchBatch);
 ERGO_CPU_KERNEL(PatchMeasureBatch);
+ERGO_CPU_KERNEL(PatchMotionBatch);
 ERGO_CPU_KERNEL(PatchSideBatch);
 ERGO_CPU_KERNEL(PatchNewtonBatch);
 ERGO_CPU_KERNEL(SeePatchesBatch);

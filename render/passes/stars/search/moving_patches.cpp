@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kernels/core/angles.h"
+#include "kernels/launch/launch.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/spacetime/kerr/kerr.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
@@ -40,14 +41,6 @@ BezierPatch part_of_patch(const BezierPatch& whole, double begin_u, double size_
   narrow(0, begin_u, size_u);
   narrow(1, begin_v, size_v);
   return part;
-}
-
-glm::dvec3 glm_of(const Vector3<double>& v) { return {v.x, v.y, v.z}; }
-
-//! Returns a rotation of the sky in the axes of a patch.
-glm::mat3 in_patch_axes(const glm::dmat3& turn, const PatchFrame& frame) {
-  const glm::dmat3 axes(glm_of(frame.first), glm_of(frame.second), glm_of(frame.axis));
-  return glm::mat3(glm::transpose(axes) * turn * axes);
 }
 
 double rotation_angle(const glm::dmat3& turn) {
@@ -157,24 +150,14 @@ StarPatches MovingPatches::patches_at(const LensStation& there, PatchRoom& room)
   const std::vector<StarPatch>& from = patches_.patches();
   std::vector<StarPatch> moved = std::move(room.patches);
   moved.resize(from.size());
-  const auto along_r = static_cast<float>(offset.r);
-  const auto along_theta = static_cast<float>(offset.theta);
-  parallel_for(static_cast<int>(from.size()), moved_patches_a_chunk, [&](int begin, int end) {
-    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-      const PatchMotion& motion = motions_[i];
-      const glm::mat3 m = in_patch_axes(turn, from[i].frame);
-      StarPatch& to = moved[i];
-      to = from[i];
-      for (int k = 0; k < 16; ++k) {
-        const float x = from[i].sky.x[k] + along_r * motion.along_r.x[k] + along_theta * motion.along_theta.x[k];
-        const float y = from[i].sky.y[k] + along_r * motion.along_r.y[k] + along_theta * motion.along_theta.y[k];
-        const float z = from[i].sky.z[k] + along_r * motion.along_r.z[k] + along_theta * motion.along_theta.z[k];
-        to.sky.x[k] = m[0][0] * x + m[1][0] * y + m[2][0] * z;
-        to.sky.y[k] = m[0][1] * x + m[1][1] * y + m[2][1] * z;
-        to.sky.z[k] = m[0][2] * x + m[1][2] * y + m[2][2] * z;
-      }
+  PatchMotionBatch batch{static_cast<int>(from.size()),    from.data(), motions_.data(), static_cast<float>(offset.r),
+                         static_cast<float>(offset.theta), {},          moved.data()};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      batch.turn[row][column] = turn[column][row];
     }
-  });
+  }
+  launch(batch);
   return {patches_, there, moved_nodes(station_, offset, turn), std::move(moved)};
 }
 

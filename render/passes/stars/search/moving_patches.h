@@ -1,9 +1,9 @@
 #pragma once
 
-#include <glm/mat3x3.hpp>
 #include <optional>
 #include <vector>
 
+#include "kernels/stars/search/patch_motion.h"
 #include "render/lens/stations/lens_position.h"
 #include "render/passes/stars/search/star_patches.h"
 
@@ -18,12 +18,6 @@ inline constexpr double position_cell = 0.005;
 //! Returns the middle of the cell that contains a position; nothing where the lens varies too much
 //! within a cell: near the horizon, inside it, and near the spin axis.
 std::optional<LensPosition> cell_middle(Spacetime spacetime, const LensPosition& position);
-
-//! Derivatives of a patch with respect to the camera's r and θ, in the patch's frame.
-struct PatchMotion {
-  BezierPatch along_r;
-  BezierPatch along_theta;
-};
 
 //! Memory of a cell's patches that is reused for the next cell.
 struct MotionRoom {

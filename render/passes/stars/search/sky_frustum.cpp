@@ -6,16 +6,11 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/spacetime/shadow/shadow_chart.h"
+#include "kernels/stars/search/patch_motion.h"
 
 namespace ergodome {
 
 namespace {
-
-//! Relative margin of a frustum around its patch: images are found slightly beyond the borders of
-//! patches.
-constexpr double slack = 0.01;
-//! Minimum angular margin of a frustum around its patch [rad].
-constexpr double min_slack = 1e-6;
 
 //! Returns the direction perpendicular to `axis` in which a patch is longer: along u or along v.
 Vector3<double> long_way(const BezierPatch& patch, const Vector3<double>& axis) {
@@ -95,8 +90,10 @@ SkyFrustum frustum_of(const BezierPatch& patch, const PatchFrame& frame, double 
   const auto inward = [&](const Vector3<double>& way, double sign, double position) {
     return normalized(sign * (way - position * frame.axis));
   };
-  const double wider[2] = {slack * (high[0] - low[0]) + min_slack + error,
-                           slack * (high[1] - low[1]) + min_slack + error};
+  const auto margin = [&](double size) {
+    return static_cast<double>(part_slack) * size + static_cast<double>(min_part_slack) + error;
+  };
+  const double wider[2] = {margin(high[0] - low[0]), margin(high[1] - low[1])};
   return {{inward(frame.first, 1.0, low[0] - wider[0]), inward(frame.first, -1.0, high[0] + wider[0]),
            inward(frame.second, 1.0, low[1] - wider[1]), inward(frame.second, -1.0, high[1] + wider[1]), frame.axis}};
 }
