@@ -22,11 +22,11 @@ struct SeenPart {
   T pair, error, halvings;
 };
 
-//! Loads the parts first, first + 1, ...
+//! Loads the parts first, first + 1, ... Lists are padded, and lanes past the end are undefined.
 template <class T>
 ERGO_HD SeenPart<T> load_parts(const SeenParts& parts, int first) {
   const auto load = [&](int channel) {
-    return load_lanes<T>(parts.at + static_cast<long>(channel) * parts.room, first, parts.count);
+    return load_lanes<T>(parts.at + static_cast<long>(channel) * parts.room, first, first + RealTraits<T>::lane_count);
   };
   SeenPart<T> part;
   ERGO_UNROLL

@@ -14,7 +14,7 @@ namespace ergodome {
 namespace {
 
 //! Number of patches that a thread takes at a time.
-constexpr int patches_a_part = 128;
+constexpr int patches_a_part = 512;
 
 //! Pool of finders, so that each keeps its allocated memory.
 class FinderPool {
