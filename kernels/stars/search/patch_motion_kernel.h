@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/core/arithmetic.h"
 #include "kernels/core/lanes.h"
 #include "kernels/stars/search/patch_motion.h"
 

@@ -139,6 +139,60 @@ INSTANTIATE_TEST_SUITE_P(Paths, MovingCamera,
                          testing::Values(CameraState{0.999, 5.0, 1.4, 0.7, ObserverMotion::zamo},
                                          CameraState{0.0, 12.0, 1.5, 0.0, ObserverMotion::fixed}));
 
+//! Distance of a patch's control point nearest to a plane that encloses the patch, in gnomonic
+//! projection about the patch's axis; negative if a control point is outside.
+double margin_of(const StarPatch& patch, const float (&inward)[3]) {
+  const Vector3<double> normal = {static_cast<double>(inward[0]), static_cast<double>(inward[1]),
+                                  static_cast<double>(inward[2])};
+  double least = 1e30;
+  for (int i = 0; i < 16; ++i) {
+    const Vector3<double> p = control_point(patch.sky, i);
+    const Vector3<double> direction = p.x * patch.frame.first + p.y * patch.frame.second + p.z * patch.frame.axis;
+    least = std::min(least, dot(normal, direction) / p.z);
+  }
+  return least;
+}
+
+//! Size of a patch along one of its axes, in gnomonic projection.
+double size_of(const StarPatch& patch, const float (BezierPatch::*along)[16]) {
+  double low = 1e30;
+  double high = -1e30;
+  for (std::size_t i = 0; i < 16; ++i) {
+    const auto position = static_cast<double>((patch.sky.*along)[i] / patch.sky.z[i]);
+    low = std::min(low, position);
+    high = std::max(high, position);
+  }
+  return high - low;
+}
+
+// A star outside these planes is not searched for, and each star between a patch and its planes
+// costs time.
+TEST(MovingPatches, AreCloselyEnclosedByTheirPlanes) {
+  const StarField field(brightest(1000), glm::dmat3(1.0), colours().view());
+  EyeCamera eye = eye_at_position({0.999, 5.0, 1.4, 0.7, ObserverMotion::zamo});
+  const MovingPatches cell = patches_around(eye, field, path_settings());
+  const LensPosition middle = *cell_middle(eye.spacetime, {eye.r, eye.theta});
+  const double height = middle.r - horizon_radius(eye.spacetime);
+  std::size_t compared = 0;
+  for (const double side : {-0.49, 0.0, 0.49}) {
+    PatchRoom room;
+    const LensStation there =
+        cell.station_at({middle.r + side * position_cell * height, middle.theta + side * position_cell});
+    const StarPatches moved = cell.patches_at(there, room);
+    for (const StarPatch& patch : moved.patches()) {
+      for (std::size_t plane = 0; plane < 4; ++plane) {
+        const double size = size_of(patch, plane < 2 ? &BezierPatch::x : &BezierPatch::y);
+        const double slack = static_cast<double>(part_slack) * size + static_cast<double>(min_part_slack + patch.error);
+        const double margin = margin_of(patch, patch.part.inward[plane]);
+        ASSERT_GT(margin, 0.5 * slack);
+        ASSERT_LT(margin, 1.5 * slack);
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 10'000U);
+}
+
 TEST(PositionCells, HoldTheirPositions) {
   const Spacetime spacetime{0.9};
   const double horizon = horizon_radius(spacetime);
