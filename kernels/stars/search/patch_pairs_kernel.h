@@ -1,5 +1,8 @@
 #pragma once
 
+#include <type_traits>
+#include <utility>
+
 #include "kernels/core/lanes.h"
 #include "kernels/stars/search/patch_newton.h"
 #include "kernels/stars/search/patch_pairs.h"
@@ -8,6 +11,30 @@
 namespace ergodome::inline ERGO_TARGET {
 
 namespace detail {
+#if defined(__AVX512F__)
+//! Exchanges lanes and elements of 16 packs: lane j of pack i becomes lane i of pack j.
+template <class T>
+void transpose(T (&packs)[16]) {
+  const auto exchange = [&]<int Step, int... Lane>(std::integral_constant<int, Step> /*step*/,
+                                                   std::integer_sequence<int, Lane...> /*lanes*/) {
+    ERGO_UNROLL
+    for (int i = 0; i < 16; ++i) {
+      if ((i & Step) == 0) {
+        const auto low = packs[i].lanes;
+        const auto high = packs[i + Step].lanes;
+        packs[i] = T(__builtin_shufflevector(low, high, ((Lane & Step) == 0 ? Lane : 16 + Lane - Step)...));
+        packs[i + Step] = T(__builtin_shufflevector(low, high, ((Lane & Step) == 0 ? Lane + Step : 16 + Lane)...));
+      }
+    }
+  };
+  constexpr std::make_integer_sequence<int, 16> lanes;
+  exchange(std::integral_constant<int, 1>(), lanes);
+  exchange(std::integral_constant<int, 2>(), lanes);
+  exchange(std::integral_constant<int, 4>(), lanes);
+  exchange(std::integral_constant<int, 8>(), lanes);
+}
+#endif
+
 //! Gathers the results of number(pair) for the pairs first, first + 1, ..., one pair per lane.
 template <class T, class Number>
 ERGO_HD T gather_numbers(const PatchPairBatch& pairs, int first, const Number& number) {
@@ -33,6 +60,24 @@ ERGO_HD void gather_points(const PatchPairBatch& pairs, int first, const float (
   }
 }
 
+//! Gathers one coordinate of all control points of the patches of pairs first, first + 1, ..., one
+//! patch per lane.
+template <class T>
+ERGO_HD void gather_all_points(const PatchPairBatch& pairs, int first, const float (BezierPatch::*points)[16],
+                               T (&to)[16]) {
+#if defined(__AVX512F__)
+  // Filling packs lane by lane takes longer than loading whole packs and exchanging their lanes.
+  for (int lane = 0; lane < 16; ++lane) {
+    const int pair = first + lane < pairs.count ? first + lane : pairs.count - 1;
+    to[lane] = load_lanes<T>(pairs.patches[pairs.pairs[pair].patch].sky.*points, 0, 16);
+  }
+  transpose(to);
+#else
+  constexpr int all[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  gather_points(pairs, first, points, all, to);
+#endif
+}
+
 //! Computes the control points `which` of the patches of pairs first, first + 1, ... as their stars
 //! see them.
 template <class T, int Count>
@@ -56,9 +101,20 @@ ERGO_HD void see_points(const PatchPairBatch& pairs, int first, const int (&whic
 //! Returns the patches of the pairs first, first + 1, ... as their stars see them.
 template <class T>
 ERGO_HD SeenPatch<T> see_patches(const PatchPairBatch& pairs, int first) {
-  constexpr int all[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  T x[16];
+  T y[16];
+  T z[16];
+  detail::gather_all_points(pairs, first, &BezierPatch::x, x);
+  detail::gather_all_points(pairs, first, &BezierPatch::y, y);
+  detail::gather_all_points(pairs, first, &BezierPatch::z, z);
+  const T a = detail::gather_numbers<T>(pairs, first, [](const SearchedPair& pair) { return pair.a; });
+  const T b = detail::gather_numbers<T>(pairs, first, [](const SearchedPair& pair) { return pair.b; });
   SeenPatch<T> patch;
-  detail::see_points(pairs, first, all, patch.p, patch.q);
+  ERGO_UNROLL
+  for (int i = 0; i < 16; ++i) {
+    patch.p[i] = x[i] - a * z[i];
+    patch.q[i] = y[i] - b * z[i];
+  }
   return patch;
 }
 
