@@ -120,44 +120,71 @@ TEST(FlatEyes, HaveTheSkyWhereTheHeadHasIt) {
   EXPECT_GT(different, 200);
 }
 
+//! Masks a white picture for the eye at `offset` and compares each pixel with the ratio of the
+//! coverages. Returns the number of pixels that are darkened, and adds those without light to `dark`.
+int compare_mask(const FlatShadow& shadow, double offset, const Projection& projection, int& dark) {
+  const std::vector<float> edge = shadow.eye_edge(offset);
+  const EdgeCurve head = edge_view(shadow.chart(), shadow.head_edge());
+  const EdgeCurve eye = edge_view(shadow.chart(), edge);
+  const ProjectionOf<float> narrowed = converted_projection<float>(projection);
+  Picture picture;
+  picture.width = projection.width_px;
+  picture.height = projection.height_px;
+  picture.rgba.assign(4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height), 1.0F);
+  mask_shadow(picture, projection, head, eye);
+  int darker = 0;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      using D = Dual<float>;
+      const Vector3<D> view = direction_from_pixel(narrowed, D(static_cast<float>(x) + 0.5F, 1.0F, 0.0F),
+                                                   D(static_cast<float>(y) + 0.5F, 0.0F, 1.0F));
+      const auto lit = [&](const EdgeCurve& curve) {
+        return cover_pixel(curve, Vector3<float>{view.x.value, view.y.value, view.z.value},
+                           Vector3<float>{view.x.along_x, view.y.along_x, view.z.along_x},
+                           Vector3<float>{view.x.along_y, view.y.along_y, view.z.along_y})
+            .lit;
+      };
+      const float expected = lit(eye) < lit(head) ? lit(eye) / lit(head) : 1.0F;
+      EXPECT_EQ(picture.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                                  static_cast<std::size_t>(x))],
+                expected)
+          << static_cast<int>(projection.kind) << ": " << x << ", " << y;
+      darker += expected < 1.0F ? 1 : 0;
+      dark += expected == 0.0F ? 1 : 0;
+    }
+  }
+  return darker;
+}
+
 TEST(FlatEyes, AreDarkenedPixelByPixelInEveryProjection) {
   const Show show = show_of_eyes("model = \"flat\"\n");
   const FlatShadow shadow(eye_camera(show, camera_pose(show, 0.0), 0.0));
-  const std::vector<float> edge = shadow.eye_edge(0.5);
-  const EdgeCurve head = edge_view(shadow.chart(), shadow.head_edge());
-  const EdgeCurve eye = edge_view(shadow.chart(), edge);
   for (const Projection& projection :
        {make_dome_projection(301, pi, 0.3), make_dome_projection(300, 2.0 * pi, 1.0),
         make_pinhole_projection(203, 150, 1.8), make_equirectangular_projection(330, 166),
         make_cube_projection(60, CubeLayout::cross)}) {
-    const ProjectionOf<float> narrowed = converted_projection<float>(projection);
-    Picture picture;
-    picture.width = projection.width_px;
-    picture.height = projection.height_px;
-    picture.rgba.assign(4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height), 1.0F);
-    mask_shadow(picture, projection, head, eye);
-    int darker = 0;
-    for (int y = 0; y < picture.height; ++y) {
-      for (int x = 0; x < picture.width; ++x) {
-        using D = Dual<float>;
-        const Vector3<D> view = direction_from_pixel(narrowed, D(static_cast<float>(x) + 0.5F, 1.0F, 0.0F),
-                                                     D(static_cast<float>(y) + 0.5F, 0.0F, 1.0F));
-        const auto lit = [&](const EdgeCurve& curve) {
-          return cover_pixel(curve, Vector3<float>{view.x.value, view.y.value, view.z.value},
-                             Vector3<float>{view.x.along_x, view.y.along_x, view.z.along_x},
-                             Vector3<float>{view.x.along_y, view.y.along_y, view.z.along_y})
-              .lit;
-        };
-        const float expected = lit(eye) < lit(head) ? lit(eye) / lit(head) : 1.0F;
-        ASSERT_EQ(picture.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-                                    static_cast<std::size_t>(x))],
-                  expected)
-            << static_cast<int>(projection.kind) << ": " << x << ", " << y;
-        darker += expected < 1.0F ? 1 : 0;
+    int dark = 0;
+    EXPECT_GT(compare_mask(shadow, 0.5, projection, dark), 20);
+  }
+}
+
+TEST(FlatEyes, AreDarkenedInWideCrescentsAndBesideSmallShadows) {
+  Show show = show_of_eyes("model = \"flat\"\n");
+  const CameraPose pose = camera_pose(show, 0.0);
+  int dark = 0;
+  for (const double r : {pose.r, 60.0, 2000.0}) {
+    CameraPose moved = pose;
+    moved.r = r;
+    const FlatShadow shadow(eye_camera(show, moved, 0.0));
+    for (const double part : {-0.49, 0.4}) {
+      for (const Projection& projection :
+           {make_dome_projection(500, pi, 0.3), make_pinhole_projection(403, 300, 1.8)}) {
+        compare_mask(shadow, part * shadow.max_baseline(), projection, dark);
       }
     }
-    EXPECT_GT(darker, 20);
   }
+  // Whole squares of pixels between both edges lose their light.
+  EXPECT_GT(dark, 2000);
 }
 
 TEST(FlatEyes, AreRefusedWhereTheHorizonIsBesideThem) {
