@@ -7,10 +7,11 @@
 
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
+#include "kernels/eyes/flat/affine_distances.h"
 #include "kernels/eyes/flat/eye_line.h"
+#include "kernels/launch/launch.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
-#include "kernels/spacetime/geodesic/affine_distance.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
 #include "render/lens/grid/edge_table.h"
 
@@ -42,8 +43,6 @@ Vector3<double> chart_point(double alpha, double gamma) {
 }  // namespace
 
 FlatShadow::FlatShadow(const EyeCamera& head) {
-  static WorkCounter counter("trace_affine_distances");
-  const WorkScope work(counter, static_cast<long>(spokes) * depths);
   const CameraStation camera = make_camera_station(head.spacetime, head.r, head.theta, 0.0, head.motion, head.velocity);
   frame_chart_ = make_shadow_chart(camera);
   const ShadowChart& chart = frame_chart_;
@@ -51,22 +50,38 @@ FlatShadow::FlatShadow(const EyeCamera& head) {
   right_ = {view_chart_.centre.x, view_chart_.first.x, view_chart_.second.x};
   edge_ = solve_edge(camera, chart, edge_points);
   curve_ = edge_view(view_chart_, edge_);
-  distances_.resize(static_cast<std::size_t>(spokes) * depths);
+  constexpr std::size_t rays = std::size_t{spokes} * depths;
+  distances_.resize(rays);
+  // In order of depth first: rays of one depth need about equally many steps, and are traced side by
+  // side.
+  std::vector<double> parts(4 * rays);
+  double* const direction[3] = {parts.data(), parts.data() + rays, parts.data() + 2 * rays};
+  double* const traced = parts.data() + 3 * rays;
   parallel_for(spokes, 1, [&](int begin, int end) {
     for (int spoke = begin; spoke < end; ++spoke) {
       const double gamma = full_turn * spoke / spokes;
       const double edge = edge_polar_angle(camera, chart, gamma);
-      double* const row = distances_.data() + static_cast<std::ptrdiff_t>(spoke) * depths;
       for (int i = 0; i < depths; ++i) {
         const double alpha = -edge * std::expm1(-depth_step * i);
         const Vector3<double> n = chart_direction<double>(chart, std::cos(alpha), std::sin(alpha), gamma);
-        const double distance = affine_distance(camera, n, camera.horizon_r);
-        // The edge is known only up to rounding errors. If a ray beside it misses the horizon, its
-        // distance is extrapolated.
-        row[i] = std::isfinite(distance) || i < 2 ? distance : 2.0 * row[i - 1] - row[i - 2];
+        const int at = i * spokes + spoke;
+        direction[0][at] = n.x;
+        direction[1][at] = n.y;
+        direction[2][at] = n.z;
       }
     }
   });
+  launch(AffineDistanceBatch{
+      camera, camera.horizon_r, static_cast<int>(rays), {direction[0], direction[1], direction[2]}, traced});
+  for (int spoke = 0; spoke < spokes; ++spoke) {
+    double* const row = distances_.data() + static_cast<std::ptrdiff_t>(spoke) * depths;
+    for (int i = 0; i < depths; ++i) {
+      const double distance = traced[i * spokes + spoke];
+      // The edge is known only up to rounding errors. If a ray beside it misses the horizon, its
+      // distance is extrapolated.
+      row[i] = std::isfinite(distance) || i < 2 ? distance : 2.0 * row[i - 1] - row[i - 2];
+    }
+  }
   nearest_ = *std::ranges::min_element(distances_);
 }
 

@@ -4,9 +4,12 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "kernels/core/angles.h"
+#include "kernels/eyes/flat/affine_distances.h"
 #include "kernels/eyes/flat/eye_line.h"
+#include "kernels/launch/launch.h"
 #include "kernels/spacetime/shadow/critical_curve.h"
 
 namespace ergodome {
@@ -143,6 +146,42 @@ TEST(AffineDistance, IsANumberInsideTheErgosphere) {
       EXPECT_GT(distance, 0.0);
       EXPECT_LT(distance, 1e4);
     }
+  }
+}
+
+TEST(AffineDistance, IsTheSameForEveryInstructionSet) {
+  std::mt19937_64 random(9);
+  const CameraStation camera = make_camera_station(Spacetime{0.9}, 7.0, 1.1, 0.0, ObserverMotion::zamo);
+  const double r_end = 1.02 * camera.horizon_r;
+  constexpr int count = 203;
+  std::vector<double> parts[3];
+  std::vector<double> expected;
+  for (int i = 0; i < count; ++i) {
+    const Vector3<double> n = random_direction(random);
+    parts[0].push_back(n.x);
+    parts[1].push_back(n.y);
+    parts[2].push_back(n.z);
+    expected.push_back(affine_distance(camera, n, r_end));
+  }
+  for (const InstructionSet set : {InstructionSet::portable, InstructionSet::avx2, InstructionSet::avx512}) {
+    if (!has_instruction_set(set)) {
+      continue;
+    }
+    std::vector<double> distance(count, -1.0);
+    const AffineDistanceBatch batch = {
+        camera, r_end, count, {parts[0].data(), parts[1].data(), parts[2].data()}, distance.data()};
+    const auto kernel = cpu_kernel<AffineDistanceBatch>(set);
+    kernel.run(batch, 0, kernel.calls(batch));
+    int reached = 0;
+    for (std::size_t i = 0; i < distance.size(); ++i) {
+      ASSERT_EQ(std::isfinite(distance[i]), std::isfinite(expected[i])) << i;
+      if (std::isfinite(expected[i])) {
+        ++reached;
+        EXPECT_NEAR(distance[i], expected[i], 1e-9 * expected[i]) << i;
+      }
+    }
+    EXPECT_GT(reached, 10);
+    EXPECT_LT(reached, 190);
   }
 }
 
