@@ -112,17 +112,23 @@ double FlatShadow::edge_at(double gamma) const {
 double FlatShadow::farthest_out(const Vector3<double>& eye, double gamma) const {
   // Computes where an eye sees the point of the horizon that the head sees at a depth, and that the
   // eye sees at position angle `gamma`. The head's position angle for that point is found by
-  // iteration, which converges faster if the eye is closer to the head.
+  // iteration, which converges faster if the eye is closer to the head. The last result is a guess
+  // for the next depth.
+  double guess = gamma;
   const auto seen_at = [&](double depth) {
-    double own = gamma;
-    double alpha = 0.0;
-    for (int round = 0; round < 4; ++round) {
-      const Vector3<double> n = chart_point(-edge_at(own) * std::expm1(-depth), own);
-      const Vector3<double> seen = seen_by_eye(n, distance(own, depth), eye);
-      alpha = std::atan2(std::hypot(seen.y, seen.z), seen.x);
-      own -= std::remainder(std::atan2(seen.z, seen.y) - gamma, full_turn);
+    constexpr double precision = 1e-7;
+    const double part = -std::expm1(-depth);
+    double own = guess;
+    Vector3<double> seen{};
+    bool found = false;
+    for (int round = 0; round < 4 && !found; ++round) {
+      seen = seen_by_eye(chart_point(edge_at(own) * part, own), distance(own, depth), eye);
+      const double miss = std::remainder(std::atan2(seen.z, seen.y) - gamma, full_turn);
+      found = std::abs(miss) < precision;
+      own -= miss;
     }
-    return alpha;
+    guess = found ? own : gamma;
+    return std::atan2(std::hypot(seen.y, seen.z), seen.x);
   };
   constexpr int samples = 16;
   int best = 1;
@@ -138,13 +144,25 @@ double FlatShadow::farthest_out(const Vector3<double>& eye, double gamma) const 
   constexpr double golden = 0.61803398874989484820;
   double low = deepest * (best - 1) / samples;
   double high = deepest * std::min(best + 1, samples) / samples;
+  double first = high - golden * (high - low);
+  double second = low + golden * (high - low);
+  double at_first = seen_at(first);
+  double at_second = seen_at(second);
   for (int round = 0; round < 14; ++round) {
-    const double first = high - golden * (high - low);
-    const double second = low + golden * (high - low);
-    const double at_first = seen_at(first);
-    const double at_second = seen_at(second);
-    maximum = std::max(maximum, std::max(at_first, at_second));
-    (at_first > at_second ? high : low) = at_first > at_second ? second : first;
+    maximum = std::max({maximum, at_first, at_second});
+    if (at_first > at_second) {
+      high = second;
+      second = first;
+      at_second = at_first;
+      first = high - golden * (high - low);
+      at_first = seen_at(first);
+    } else {
+      low = first;
+      first = second;
+      at_first = at_second;
+      second = low + golden * (high - low);
+      at_second = seen_at(second);
+    }
   }
   return maximum;
 }
