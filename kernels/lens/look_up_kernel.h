@@ -34,6 +34,33 @@ struct LookUpPixels {
     store(at, sky, steps, estimate);
   }
 
+  //! Reads pixels without tracing. Calls defer(n, traced) if there are pixels of flagged leaves, with
+  //! the viewing directions and the lanes that are to be traced.
+  template <class Defer>
+  ERGO_HD void look_up_deferring(const ViewedPixels<T>& viewed, const Defer& defer) const {
+    const GridValues at(batch, viewed);
+    store(at, part_of<Ray>(at.read.sky), T(S(0)), T(S(0)));
+    const auto traced = at.wanted & at.read.flagged;
+    if (any(traced)) {
+      defer(part_of<Ray>(at.n), traced);
+    }
+  }
+
+  //! Traces lanes, and returns those that arrived. The others keep their values: that of the grid is
+  //! the best available in float.
+  ERGO_HD MaskOf<T> trace(const Vector3<Ray>& n, const MaskOf<T>& traced, Vector3<Ray>& sky, T& steps,
+                          T& estimate) const {
+    const PixelBatch& pixels = batch.pixels;
+    const RayStart<Ray> start = start_ray(camera_of(batch), n);
+    const auto bright = traced & comes_from_sky(pixels.camera.spin, pixels.camera.horizon_r, plain_start(start));
+    MaskOf<T> reached = bright;
+    const RayEnd<Ray> end =
+        trace_taylor<picture_order>(pixels.camera.spin, start, bright, pixels.settings, steps, reached);
+    sky = {select(reached, end.sky.x, sky.x), select(reached, end.sky.y, sky.y), select(reached, end.sky.z, sky.z)};
+    estimate = select(reached, value_of(end.error_estimate), estimate);
+    return reached;
+  }
+
   //! Reads pixels without tracing, for a GPU, which traces the pixels of flagged leaves separately.
   //! Returns whether there are such pixels.
   ERGO_HD bool look_up_alone(int index) const {
@@ -78,19 +105,6 @@ struct LookUpPixels {
                              n.x.along_y * n.x.along_y + n.y.along_y * n.y.along_y + n.z.along_y * n.z.along_y);
     const T d = position.edge_distance.value;
     return d * d < square * S(9);
-  }
-
-  //! Traces lanes. Lanes that do not converge keep the value of the grid, which is the best
-  //! available in float.
-  ERGO_HD void trace(const Vector3<Ray>& n, const MaskOf<T>& traced, Vector3<Ray>& sky, T& steps, T& estimate) const {
-    const PixelBatch& pixels = batch.pixels;
-    const RayStart<Ray> start = start_ray(camera_of(batch), n);
-    const auto bright = traced & comes_from_sky(pixels.camera.spin, pixels.camera.horizon_r, plain_start(start));
-    MaskOf<T> reached = bright;
-    const RayEnd<Ray> end =
-        trace_taylor<picture_order>(pixels.camera.spin, start, bright, pixels.settings, steps, reached);
-    sky = {select(reached, end.sky.x, sky.x), select(reached, end.sky.y, sky.y), select(reached, end.sky.z, sky.z)};
-    estimate = select(reached, value_of(end.error_estimate), estimate);
   }
 
   ERGO_HD void store(const GridValues& at, const Vector3<Ray>& sky, const T& steps, const T& estimate) const {

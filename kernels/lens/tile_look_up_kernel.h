@@ -82,6 +82,7 @@ struct TileNodes {
 template <class T, bool Footprints>
 struct LookUpTiles {
   using D = Dual<T>;
+  using Ray = std::conditional_t<Footprints, D, T>;
   using S = ScalarOf<T>;
   static constexpr int lanes = RealTraits<T>::lane_count;
   static constexpr int quarter_side = tile_side / 2;
@@ -480,6 +481,86 @@ struct LookUpTiles {
     }
   }
 
+  //! Pixels of flagged leaves, which are traced together: few registers of a run have more than one
+  //! or two of them.
+  struct FlaggedPixels {
+    static constexpr int parts = Footprints ? 9 : 3;
+    alignas(64) float direction[parts][tile_side * tile_side + lanes];  //!< with derivatives per pixel
+    int element[tile_side * tile_side];                                 //!< number of the pixel in the channels
+    int count = 0;
+
+    //! Appends the lanes in `bits` of a register whose first pixel is element `first`.
+    ERGO_HD void append(const Vector3<Ray>& n, unsigned bits, int first) {
+      const ChosenLanes<T> chosen(bits);
+      const auto store = [&](int part, const Ray& component) {
+        if constexpr (Footprints) {
+          chosen.store(direction[part] + count, component.value);
+          chosen.store(direction[part + 3] + count, component.along_x);
+          chosen.store(direction[part + 6] + count, component.along_y);
+        } else {
+          chosen.store(direction[part] + count, component);
+        }
+      };
+      store(0, n.x);
+      store(1, n.y);
+      store(2, n.z);
+      for (int i = 0; i < lanes; ++i) {
+        if ((bits >> static_cast<unsigned>(i) & 1U) != 0) {
+          element[count++] = first + i;
+        }
+      }
+    }
+
+    //! Returns the directions of pixels first, first + 1, ...
+    [[nodiscard]] ERGO_HD Vector3<Ray> directions(int first) const {
+      const auto load = [&](int part) {
+        const auto of = [&](int i) { return load_lanes<T>(direction[i], first, count); };
+        if constexpr (Footprints) {
+          return D(of(part), of(part + 3), of(part + 6));
+        } else {
+          return of(part);
+        }
+      };
+      return {load(0), load(1), load(2)};
+    }
+
+    //! Writes the lanes in `bits` to a channel, if it is requested.
+    ERGO_HD void scatter(float* channel, const T& value, unsigned bits, int first) const {
+      for (int i = 0; channel != nullptr && i < lanes; ++i) {
+        if ((bits >> static_cast<unsigned>(i) & 1U) != 0) {
+          channel[element[first + i]] = lane(value, i);
+        }
+      }
+    }
+  };
+
+  //! Traces pixels and writes those that arrive to the channels.
+  ERGO_HD void trace_flagged(const LookUpPixels<T, Footprints>& one_by_one, const FlaggedPixels& flagged) const {
+    const LensPixels& out = one_by_one.batch.pixels.out;
+    const T zero(0.0F);
+    for (int first = 0; first < flagged.count; first += lanes) {
+      const unsigned traced = bits_within<T>(first, flagged.count);
+      Vector3<Ray> sky = {Ray(zero), Ray(zero), Ray(zero)};
+      T steps = zero;
+      T estimate = zero;
+      const unsigned reached =
+          mask_bits(one_by_one.trace(flagged.directions(first), mask_from_bits<T>(traced), sky, steps, estimate));
+      const auto scatter = [&](float* const(&to)[3], const Vector3<T>& v) {
+        const Vector3<T> turned = turned_to_camera(batch.look_up.pixels.camera, v);
+        flagged.scatter(to[0], turned.x, reached, first);
+        flagged.scatter(to[1], turned.y, reached, first);
+        flagged.scatter(to[2], turned.z, reached, first);
+      };
+      scatter(out.sky, {value_of(sky.x), value_of(sky.y), value_of(sky.z)});
+      if constexpr (Footprints) {
+        scatter(out.sky_along_x, {sky.x.along_x, sky.y.along_x, sky.z.along_x});
+        scatter(out.sky_along_y, {sky.x.along_y, sky.y.along_y, sky.z.along_y});
+      }
+      flagged.scatter(out.steps, steps, traced, first);
+      flagged.scatter(out.error_estimate, estimate, traced, first);
+    }
+  }
+
   //! Reads runs of pixels one by one, and traces those of flagged leaves.
   [[gnu::noinline]] ERGO_HD void read_runs(const Runs& runs, const Target& into) const {
     constexpr int most = tile_side * tile_side;
@@ -511,7 +592,9 @@ struct LookUpTiles {
     redirect(to.frequency_ratio);
     redirect(to.steps);
     redirect(to.error_estimate);
-    for (int first = 0; first < runs.count * quarter_side; first += lanes) {
+    const int pixel_count = runs.count * quarter_side;
+    FlaggedPixels flagged;
+    for (int first = 0; first < pixel_count; first += lanes) {
       T x_px;
       T y_px;
       for (int i = 0; i < lanes; ++i) {
@@ -519,8 +602,12 @@ struct LookUpTiles {
         set_lane(x_px, i, static_cast<float>(runs.x[run] + (first + i) % quarter_side) + 0.5F);
         set_lane(y_px, i, static_cast<float>(runs.y[run]) + 0.5F);
       }
-      one_by_one.look_up(ViewedPixels<T>(pixels, first, x_px, y_px));
+      one_by_one.look_up_deferring(ViewedPixels<T>(pixels, first, x_px, y_px),
+                                   [&](const Vector3<Ray>& n, const MaskOf<T>& traced) {
+                                     flagged.append(n, mask_bits(traced) & bits_within<T>(first, pixel_count), first);
+                                   });
     }
+    trace_flagged(one_by_one, flagged);
     for (int run = 0; run < runs.count; ++run) {
       const int first = (runs.y[run] - into.top) * into.stride + runs.x[run] - into.left;
       const int count = std::min(quarter_side, pixels.projection.width_px - runs.x[run]);

@@ -27,7 +27,7 @@ constexpr double tolerance_px = 0.2 * budget_px;  // as in ShowRenderer
 
 //! Channels of a whole picture.
 struct Channels {
-  std::array<std::vector<float>, 11> memory;
+  std::array<std::vector<float>, 13> memory;
   LensPixels pixels{};
 
   explicit Channels(const Projection& projection) {
@@ -42,6 +42,8 @@ struct Channels {
     }
     pixels.coverage = memory[9].data();
     pixels.frequency_ratio = memory[10].data();
+    pixels.steps = memory[11].data();
+    pixels.error_estimate = memory[12].data();
   }
 
   [[nodiscard]] Vector3<double> vector(std::size_t channel, std::size_t pixel) const {
@@ -234,6 +236,26 @@ TEST(TileLookUp, TilesAtTheShadowAreRefused) {
   EXPECT_GT(edges, 300);
 }
 
+TEST(TileLookUp, PixelsOfFlaggedLeavesAreTraced) {
+  const TileCase c = fast_hole();
+  const Channels tiles = c.read(GridReading::tiles);
+  const Channels pixels = c.read(GridReading::pixels);
+  int traced = 0;
+  int same = 0;
+  for (std::size_t pixel = 0; pixel < pixels.memory[11].size(); ++pixel) {
+    if (pixels.memory[11][pixel] > 0.0F) {
+      ++traced;
+      same += tiles.memory[11][pixel] == pixels.memory[11][pixel] ? 1 : 0;
+    } else {
+      EXPECT_EQ(tiles.memory[11][pixel], 0.0F) << pixel;
+    }
+    EXPECT_NEAR(tiles.memory[12][pixel], pixels.memory[12][pixel], 1e-2F * pixels.memory[12][pixel]) << pixel;
+  }
+  EXPECT_GT(traced, 500);
+  // Rounding may change the number of steps of a ray.
+  EXPECT_GT(same, traced - traced / 100);
+}
+
 TEST(TileLookUp, CoverageIsThatOfPixels) {
   for (const char* more : {"", "r = 60\n", "r = 2000\n", "r = 1.3\n"}) {
     const TileCase c(std::string("[hole]\nspin = 0.999\n[camera]\n[[camera.key]]\n") +
@@ -259,6 +281,8 @@ TEST(TileLookUp, BlocksOfRowsDoNotChangeResults) {
     }
     out.coverage += row * 300;
     out.frequency_ratio += row * 300;
+    out.steps += row * 300;
+    out.error_estimate += row * 300;
     lens.fill(row, std::min(7, 300 - row), out);
   }
   for (std::size_t channel = 0; channel < whole.memory.size(); ++channel) {
