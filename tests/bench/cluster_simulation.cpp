@@ -50,6 +50,7 @@ ClusterFrame moving_frame() {
   frame.on_path = true;
   frame.rate = 1.0;
   frame.pose = {20.0, 1.5, 0.25, glm::dquat(1.0, 0.0, 0.0, 0.0), Vector3<double>{0.1, 0.0, 0.2}, false, 0.0};
+  frame.before = LensPosition{20.001, 1.5};
   frame.followed_stops = 0.5;
   frame.language = "en";
   frame.size_px = 8192;
