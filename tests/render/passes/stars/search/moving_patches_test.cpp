@@ -174,12 +174,18 @@ TEST(MovingPatches, AreCloselyEnclosedByTheirPlanes) {
   const LensPosition middle = *cell_middle(eye.spacetime, {eye.r, eye.theta});
   const double height = middle.r - horizon_radius(eye.spacetime);
   std::size_t compared = 0;
+  std::size_t wide = 0;
   for (const double side : {-0.49, 0.0, 0.49}) {
     PatchRoom room;
     const LensStation there =
         cell.station_at({middle.r + side * position_cell * height, middle.theta + side * position_cell});
     const StarPatches moved = cell.patches_at(there, room);
     for (const StarPatch& patch : moved.patches()) {
+      // Patches that reach 90 degrees from their axis keep the planes of all positions in the cell.
+      if (*std::ranges::min_element(patch.sky.z) < 2e-3F) {
+        ++wide;
+        continue;
+      }
       for (std::size_t plane = 0; plane < 4; ++plane) {
         const double size = size_of(patch, plane < 2 ? &BezierPatch::x : &BezierPatch::y);
         const double slack = static_cast<double>(part_slack) * size + static_cast<double>(min_part_slack + patch.error);
@@ -191,6 +197,7 @@ TEST(MovingPatches, AreCloselyEnclosedByTheirPlanes) {
     }
   }
   EXPECT_GT(compared, 10'000U);
+  EXPECT_LT(wide, compared / 1000);
 }
 
 TEST(PositionCells, HoldTheirPositions) {
