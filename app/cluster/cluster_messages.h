@@ -47,7 +47,7 @@ struct ClusterFrame {
   //! True: the show is the attract show of an exhibit.
   bool attract = false;
   CameraPose pose{};
-  //! Position of the camera in the frame before, see ShowMoment::before.
+  //! Position of the camera in the previous frame, see ShowMoment::before.
   std::optional<LensPosition> before{};
   ObserverMotion motion = ObserverMotion::zamo;
   Vector3<double> velocity{};  //!< velocity of the observer, see ObserverView::velocity

@@ -31,7 +31,8 @@ struct ShowMoment {
   //! Maximum time to wait for stations that are not yet read, and for live grids.
   double patience_s = forever_s;
 
-  //! Position of the player's camera in the picture before; absent: there is none, as in films.
+  //! Position of the player's camera in the previous picture; absent for the first picture and for
+  //! films.
   std::optional<LensPosition> before{};
   //! The picture must equal that of another computer, whatever pictures each has rendered before.
   bool alike = false;

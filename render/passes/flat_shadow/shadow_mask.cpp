@@ -35,7 +35,7 @@ float light_left(const ProjectionOf<float>& projection, float x_px, float y_px, 
   return after < before ? after / before : 1.0F;
 }
 
-//! What the two edges do to a square of pixels.
+//! Effect of the two edges on the light of a square of pixels.
 enum class Masking { none, dark, partial };
 
 //! The region between the edges of the head's and the eye's shadow, which loses its light.

@@ -24,13 +24,16 @@ class PositionCells {
   using Build = std::function<MovingPatches(const StarEye&, const StarSettings&, MotionRoom&)>;
 
   explicit PositionCells(Build build) : build_(std::move(build)) {}
+  // The background thread refers to this object.
+  PositionCells(const PositionCells&) = delete;
+  PositionCells& operator=(const PositionCells&) = delete;
 
   //! Returns the patches of the cell of `middle`, the result of cell_of(). The reference is valid
   //! until the next call.
   const MovingPatches& patches(const StarEye& middle, const StarSettings& asked);
 
-  //! Starts building the cell that an eye will enter next, if its course says so and the eye will be
-  //! there within some pictures.
+  //! Starts to build the next cell of an eye in the background, if CameraCourse::step shows that the
+  //! eye reaches it within 30 pictures.
   void prepare_next(const StarEye& eye, const StarSettings& asked);
 
   //! Waits for the cell that is being built. Call it before data changes that Build reads.

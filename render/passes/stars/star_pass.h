@@ -42,7 +42,8 @@ struct FoundPoints {
 
 //! Draws the stars of a show. Caches the last inverted lens grids: a camera that rotates or moves
 //! around the spin axis needs no new grid. If the camera only rotates, the images of the last
-//! picture are used again, too. A camera that moves slowly uses one grid for a cell of positions (PositionCells).
+//! picture are used again, too. A camera that moves slowly uses one grid for a cell of positions
+//! (PositionCells).
 class StarPass : public Pass {
  public:
   //! Loads the catalog. Throws Error if it cannot be read. On a GPU backend, images are also sought
