@@ -111,8 +111,9 @@ inline bool any(const PackMask<T, N>& mask) {
   return mask_bits(mask) != 0;
 }
 
+// Compilers would call a function for this single instruction, because they count the steps of the loop.
 template <class T, int N>
-inline Pack<T, N> sqrt(const Pack<T, N>& a) {
+[[gnu::always_inline]] inline Pack<T, N> sqrt(const Pack<T, N>& a) {
   Pack<T, N> root;
   for (int lane = 0; lane < N; ++lane) {
     if constexpr (sizeof(T) == 4) {

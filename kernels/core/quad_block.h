@@ -44,12 +44,33 @@ inline Quad total(const QuadBlock& sum) {
 #endif
 }
 
+//! Writes the sums of the quads of four blocks.
+inline void totals(const QuadBlock (&sums)[4], Quad* to) {
+#if defined(__AVX512F__)
+  const auto pairs = [](const QuadBlock& a, const QuadBlock& b) {
+    return _mm512_maskz_shuffle_f32x4(0xffff, a.quads, b.quads, 0x44) +
+           _mm512_maskz_shuffle_f32x4(0xffff, a.quads, b.quads, 0xee);
+  };
+  const __m512 ab = pairs(sums[0], sums[1]);
+  const __m512 cd = pairs(sums[2], sums[3]);
+  const __m512 all =
+      _mm512_maskz_shuffle_f32x4(0xffff, ab, cd, 0x88) + _mm512_maskz_shuffle_f32x4(0xffff, ab, cd, 0xdd);
+  std::memcpy(to, &all, sizeof all);
+#else
+  for (int i = 0; i < 4; ++i) {
+    to[i] = total(sums[i]);
+  }
+#endif
+}
+
 //! Four weights for each lane of a register.
 template <class T>
 class LaneWeights {
  public:
+  LaneWeights() = default;
+
   //! The weights of a lane are its numbers in a, b, c and d.
-  LaneWeights(const T& a, const T& b, const T& c, const T& d) {
+  [[gnu::always_inline]] LaneWeights(const T& a, const T& b, const T& c, const T& d) {
 #if defined(__x86_64__)
     // A transposition of 4 x 4 numbers in each part of 16 bytes: row j has the weights of lanes j, 4 +
     // j, ...

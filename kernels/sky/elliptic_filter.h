@@ -40,13 +40,12 @@ ERGO_HD void add_mean(const CubeMap& map, const T& share, SkyLight<T>& light) {
   }
 }
 
-//! Half axes of the ellipse that is the image of a circle: the direction of the major one, and both
-//! lengths.
+//! The ellipse that is the image of a circle: the direction of its major half axis, and the squares of both half axes.
 template <class T>
 struct Ellipse {
   Vector3<T> major;
-  T major_length;
-  T minor_length;
+  T major_square;
+  T minor_square;
 };
 
 //! Returns the ellipse of the map (cos t, sin t) -> cos t a + sin t b, from the eigenvalues of its
@@ -71,38 +70,41 @@ ERGO_HD Ellipse<T> ellipse_of(const Vector3<T>& a, const Vector3<T>& b) {
   const Vector3<T> axis = of_a * a + of_b * b;
   const T length2 = dot(axis, axis);
   // A circle has no major axis; any direction works, because its probes coincide.
-  return {(T(1.0F) / sqrt(maximum(length2, tiny))) * axis, sqrt(largest), sqrt(smallest)};
+  return {(T(1.0F) / sqrt(maximum(length2, tiny))) * axis, largest, smallest};
 }
 
 //! A line of round probes that approximates an ellipse.
 template <class T>
 struct ProbeLine {
   T count;
-  T spacing;  //!< angle on the sky between neighboring probes [rad]
-  T level;    //!< level of the mip pyramid that the probes read
+  T per_count;    //!< 1 / count
+  T half_length;  //!< angle on the sky from its middle to half a spacing past the last probe [rad]
+  T level;        //!< level of the mip pyramid that the probes read
 };
 
 //! Computes the probes of an ellipse. A mip level that is read bilinearly is approximately a round
 //! Gaussian with a standard deviation of half a texel; the line adds the additional variance σ² of
 //! the major axis. Probes have the weights exp(-3.12 x²), where x reaches 1 half a spacing past the
-//! last probe. A spacing of 5.2 σ / (number of probes) then yields that variance; for two probes
-//! the spacing is 4 σ / 2.
+//! last probe. A half length of 2.6 σ then yields that variance; for two probes it is 2 σ.
 template <class T>
 ERGO_HD ProbeLine<T> probe_line(const CubeMap& map, const Ellipse<T>& ellipse) {
+  const T zero(0.0F);
   const T one(1.0F);
-  const T texel(cube_texel_angle(map));
-  const T radius = maximum(ellipse.minor_length, texel * 0.5F);
-  const T line = safe_sqrt(ellipse.major_length * ellipse.major_length - radius * radius);
+  const float texel = cube_texel_angle(map);
+  const T radius_square = maximum(ellipse.minor_square, T(0.25F * texel * texel));
+  const T radius = sqrt(radius_square);
+  const T line = safe_sqrt(ellipse.major_square - radius_square);
   const T part = line / radius;
   // Probes are at most a texel of their level apart, so that bilinear look-ups of equal weight add
   // up evenly.
   const T wanted = real_of<T>(truncated(minimum(part, T(1e3F)) * 2.6F)) + one;
   const T several = minimum(wanted, T(static_cast<float>(probe_limit)));
   const T count = select(part <= T(0.45F), one, select(part <= one, T(2.0F), several));
-  const T spacing = select(count > T(2.0F), T(5.2F), select(count > one, T(4.0F), T(0.0F))) * line / count;
-  const T width = maximum(radius, spacing * 0.5F);
-  const T level = rough_log2(maximum(width * 2.0F / texel, one));
-  return {count, spacing, minimum(maximum(level, T(0.0F)), T(static_cast<float>(map.level_count - 1)))};
+  const T per_count = one / count;
+  const T half_length = select(count > T(2.0F), T(2.6F), select(count > one, T(2.0F), zero)) * line;
+  const T width = maximum(radius, half_length * per_count);
+  const T level = rough_log2(maximum(width * (2.0F / texel), one));
+  return {count, per_count, half_length, minimum(maximum(level, zero), T(static_cast<float>(map.level_count - 1)))};
 }
 
 //! Approximates exp(-3.12 x²) for x in [-1, 1] by the eighth power of a quartic.
@@ -122,16 +124,21 @@ struct LevelLanes {
   IntegerOf<T> first_texel;  //!< number of the level's first texel
 };
 
+//! Returns the number of an existing level.
+ERGO_HD int limited_level(const CubeMap& map, int level) {
+  return level < 0 ? 0 : level < map.level_count ? level : map.level_count - 1;
+}
+
+//! Returns a level for each lane.
 template <class T>
-ERGO_HD LevelLanes<T> level_lanes(const CubeMap& map, const IntegerOf<T>& level) {
+ERGO_HD_RARE LevelLanes<T> different_levels(const CubeMap& map, const IntegerOf<T>& level) {
   constexpr int lanes = RealTraits<T>::lane_count;
   std::int32_t levels[lanes];
   std::memcpy(levels, &level, sizeof levels);
   std::int32_t offsets[lanes];
   float sizes[lanes];
   for (int i = 0; i < lanes; ++i) {
-    const int below = levels[i] < map.level_count ? levels[i] : map.level_count - 1;
-    const int at = below > 0 ? below : 0;
+    const int at = limited_level(map, levels[i]);
     offsets[i] = static_cast<std::int32_t>(map.level_offset[at]);
     sizes[i] = static_cast<float>(map.face_size >> at);
   }
@@ -141,150 +148,102 @@ ERGO_HD LevelLanes<T> level_lanes(const CubeMap& map, const IntegerOf<T>& level)
   return of;
 }
 
-#if !defined(__CUDACC__)
-//! A bilinear look-up at one level for each lane of a SIMD register.
+//! Returns the level of each lane; most registers have only one.
 template <class T>
-class LaneTexels {
+ERGO_HD LevelLanes<T> level_lanes(const CubeMap& map, const IntegerOf<T>& level) {
+  std::int32_t first = 0;
+  std::memcpy(&first, &level, sizeof first);
+  if constexpr (RealTraits<T>::lane_count > 1) {
+    if (any(absolute(real_of<T>(level) - static_cast<float>(first)) > T(0.5F))) {
+      return different_levels<T>(map, level);
+    }
+  }
+  const int at = limited_level(map, first);
+  return {T(static_cast<float>(map.face_size >> at)), IntegerOf<T>{} + static_cast<std::int32_t>(map.level_offset[at])};
+}
+
+//! Adds a bilinear look-up at one level to a sum.
+ERGO_HD void add_look_up(const CubeMap& map, const LevelLanes<float>& level, const CubePosition<float>& position,
+                         float weight, Quad& sum) {
+  const BilinearPosition<float> at = bilinear_position(position, level.size);
+  const float lower = weight * at.lower;
+  const float upper = weight - lower;
+  const float* const top = map.texels + 4L * (level.first_texel + at.texel);
+  const float* const bottom = top + 4L * (truncated(level.size) + 2);
+  const Quad left_pair = upper * load_quad(top) + lower * load_quad(bottom);
+  const Quad right_pair = upper * load_quad(top + 4) + lower * load_quad(bottom + 4);
+  sum = sum + (1.0F - at.right) * left_pair + at.right * right_pair;
+}
+
+#if !defined(__CUDACC__)
+//! Bilinear look-ups at one level, up to `Limit` for each lane of a SIMD register. They are stored first, and added
+//! lane by lane, so that the sum of a lane stays in a register.
+template <class T, int Limit>
+class StoredLookUps {
  public:
-  LaneTexels(const CubeMap& map, const LevelLanes<T>& level, const CubePosition<T>& position, const T& weight)
-      : LaneTexels(map, level, weight, bilinear_position(position, level.size)) {}
-
-  //! Adds the look-up of a lane to a sum.
-  void add(QuadBlock& sum, int i) const { weights_.add(sum, i, texels_ + first_[i], texels_ + second_[i]); }
-
- private:
-  static constexpr int lanes = RealTraits<T>::lane_count;
-
-  LaneTexels(const CubeMap& map, const LevelLanes<T>& level, const T& weight, const BilinearPosition<T>& at)
-      : texels_(map.texels), weights_(weights_of(at, weight)) {
-    // Numbers of floats.
-    const IntegerOf<T> first = (level.first_texel + at.texel) * 4;
-    const IntegerOf<T> second = first + (truncated(level.size) + 2) * 4;
-    std::memcpy(first_, &first, sizeof first_);
-    std::memcpy(second_, &second, sizeof second_);
-    // Without this, the compiler extracts each number from its register, which takes longer than
-    // loading it.
-    asm("" : "+m"(first_), "+m"(second_));
+  StoredLookUps(const CubeMap& map, const LevelLanes<T>& level) : texels_(map.texels), level_(level) {
+    const IntegerOf<T> row = (truncated(level.size) + 2) * 4;
+    std::memcpy(row_, &row, sizeof row_);
   }
 
-  static LaneWeights<T> weights_of(const BilinearPosition<T>& at, const T& weight) {
+  //! Stores look-up k of each lane, and prefetches its texels.
+  [[gnu::always_inline]] void set(int k, const CubePosition<T>& position, const T& weight) {
+    const BilinearPosition<T> at = bilinear_position(position, level_.size);
     const T lower = weight * at.lower;
     const T upper = weight - lower;
     const T upper_right = upper * at.right;
     const T lower_right = lower * at.right;
-    return {upper - upper_right, upper_right, lower - lower_right, lower_right};
-  }
-
-  const float* texels_;
-  LaneWeights<T> weights_;
-  std::uint32_t first_[lanes];   //!< upper left texel; its right neighbor follows
-  std::uint32_t second_[lanes];  //!< lower left texel
-};
-#endif
-
-//! Sums of texels for each lane.
-template <class T>
-class TexelSums {
- public:
-  ERGO_HD TexelSums() {
-    for (Sum& sum : sums_) {
-      clear(sum);
+    weights_[k] = LaneWeights<T>(upper - upper_right, upper_right, lower - lower_right, lower_right);
+    const IntegerOf<T> first = (level_.first_texel + at.texel) * 4;
+    std::memcpy(first_[k], &first, sizeof first_[k]);
+    // A large map does not fit into the nearest caches. Lanes without a look-up may ask for any address, which is
+    // harmless.
+    ERGO_UNROLL
+    for (int i = 0; i < lanes; ++i) {
+      const float* const texel = texels_ + first_[k][i];
+      __builtin_prefetch(texel);
+      __builtin_prefetch(texel + row_[i]);
     }
   }
 
-  //! Adds a bilinear look-up for each lane whose weight is positive.
-  ERGO_HD void add(const CubeMap& map, const LevelLanes<T>& level, const CubePosition<T>& position, const T& weight) {
-    if constexpr (lanes == 1) {
-      if (weight > 0.0F) {
-        add_one(map, level, position, weight);
-      }
-    } else {
-#if !defined(__CUDACC__)
-      const LaneTexels<T> texels(map, level, position, weight);
-      add_lanes(mask_bits(weight > T(0.0F)), [&](Sum& sum, int i) { texels.add(sum, i); });
-#endif
-    }
-  }
-
-  //! Adds bilinear look-ups at two levels; `coarse_part` is the weight of the second, for a sum of
-  //! `weight`.
-  ERGO_HD void add(const CubeMap& map, const LevelLanes<T>& fine, const LevelLanes<T>& coarse, const T& coarse_part,
-                   const CubePosition<T>& position, const T& weight) {
-    const T coarse_weight = weight * coarse_part;
-    if constexpr (lanes == 1) {
-      add(map, fine, position, weight - coarse_weight);
-      add(map, coarse, position, coarse_weight);
-    } else {
-#if !defined(__CUDACC__)
-      const LaneTexels<T> first(map, fine, position, weight - coarse_weight);
-      const LaneTexels<T> second(map, coarse, position, coarse_weight);
-      add_lanes(mask_bits(weight > T(0.0F)), [&](Sum& sum, int i) {
-        Sum both = sum;
-        first.add(both, i);
-        second.add(both, i);
-        sum = both;
-      });
-#endif
-    }
-  }
-
-  //! Returns the sum of a lane.
-  [[nodiscard]] ERGO_HD Quad of([[maybe_unused]] int i) const {
-    if constexpr (lanes == 1) {
-      return sums_[0];
-    } else {
-#if !defined(__CUDACC__)
-      return total(sums_[i]);
-#endif
+  //! Adds the first `count` look-ups of a lane to a sum.
+  void add(QuadBlock& sum, int i, int count) const {
+    const float* const upper = texels_;
+    const float* const lower = texels_ + row_[i];
+    // Unrolled for each lane, this would be more code than the processor can keep decoded.
+#pragma GCC unroll 1
+    for (int k = 0; k < count; ++k) {
+      const std::uint32_t first = first_[k][i];
+      weights_[k].add(sum, i, upper + first, lower + first);
     }
   }
 
  private:
   static constexpr int lanes = RealTraits<T>::lane_count;
-#if defined(__CUDACC__)
-  using Sum = Quad;
-#else
-  using Sum = std::conditional_t<lanes == 1, Quad, QuadBlock>;
-  static void clear(QuadBlock& sum) { sum = zero_block(); }
-#endif
-  static ERGO_HD void clear(Quad& sum) { sum = quad_of(0.0F); }
 
-  ERGO_HD void add_one(const CubeMap& map, const LevelLanes<T>& level, const CubePosition<T>& position,
-                       const T& weight) {
-    const BilinearPosition<T> at = bilinear_position(position, level.size);
-    const T lower = weight * at.lower;
-    const T upper = weight - lower;
-    const float* const top = map.texels + 4L * (level.first_texel + at.texel);
-    const float* const bottom = top + 4L * (truncated(level.size) + 2);
-    const Quad left_pair = upper * load_quad(top) + lower * load_quad(bottom);
-    const Quad right_pair = upper * load_quad(top + 4) + lower * load_quad(bottom + 4);
-    sums_[0] = sums_[0] + (1.0F - at.right) * left_pair + at.right * right_pair;
-  }
-
-  //! Calls add(sum, i) for the lanes in a bit mask.
-  template <class Add>
-  void add_lanes(unsigned some, const Add& add) {
-    constexpr unsigned all = (1U << static_cast<unsigned>(lanes)) - 1U;
-    if (some == all) {
-      ERGO_UNROLL
-      for (int i = 0; i < lanes; ++i) {
-        add(sums_[i], i);
-      }
-      return;
-    }
-    for (unsigned left = some; left != 0; left &= left - 1) {
-      const int i = lowest_bit(left);
-      add(sums_[i], i);
-    }
-  }
-
-  Sum sums_[lanes];
+  const float* texels_;
+  LevelLanes<T> level_;
+  std::uint32_t row_[lanes];           //!< floats from a texel to its lower neighbor
+  std::uint32_t first_[Limit][lanes];  //!< first float of the upper left texel; its right neighbor follows
+  LaneWeights<T> weights_[Limit];
 };
+#endif
+
+//! Returns the position of the probe at x, from -1 to 1, of a line: an arc of a great circle through `direction`.
+template <class T>
+ERGO_HD CubePosition<T> probe_position(const ProbeLine<T>& line, const Vector3<T>& direction, const Vector3<T>& along,
+                                       const T& x) {
+  T sine;
+  T cosine;
+  sine_cosine_octant(x * line.half_length, sine, cosine);
+  return cube_position(cosine * direction + sine * along);
+}
 
 //! Sums the probes of a line, with weights that sum to `factor`. Lanes with factor 0 use no probes.
 template <class T>
 ERGO_HD void add_line(const CubeMap& map, const ProbeLine<T>& line, const Vector3<T>& direction,
                       const Vector3<T>& along, const T& factor, SkyLight<T>& sum) {
+  constexpr int lanes = RealTraits<T>::lane_count;
   const T zero(0.0F);
   const T one(1.0F);
   const IntegerOf<T> fine_level = truncated(line.level);
@@ -292,28 +251,59 @@ ERGO_HD void add_line(const CubeMap& map, const ProbeLine<T>& line, const Vector
   const bool blended = any((factor > zero) & (coarse_part > zero));
   const LevelLanes<T> fine = level_lanes<T>(map, fine_level);
   const LevelLanes<T> coarse = blended ? level_lanes<T>(map, fine_level + 1) : fine;
-  TexelSums<T> texels;
   const T count = select(factor > zero, line.count, zero);
-  const T per_count = one / line.count;
-  const T half_length = line.count * line.spacing * 0.5F;
   T weights = zero;
-  for (T k = zero; any(k < count); k = k + one) {
-    const T x = (k * 2.0F + one) * per_count - one;
-    T sine;
-    T cosine;
-    sine_cosine_octant(x * half_length, sine, cosine);
-    const CubePosition<T> position = cube_position(cosine * direction + sine * along);
-    const T weight = select(k < count, probe_weight(x), zero);
-    weights = weights + weight;
-    if (blended) {
-      texels.add(map, fine, coarse, coarse_part, position, weight);
-    } else {
-      texels.add(map, fine, position, weight);
+  if constexpr (lanes == 1) {
+    Quad light = quad_of(0.0F);
+    for (float k = 0.0F; k < count; k += 1.0F) {
+      const float x = (k * 2.0F + 1.0F) * line.per_count - 1.0F;
+      const CubePosition<float> position = probe_position(line, direction, along, x);
+      const float weight = probe_weight(x);
+      weights += weight;
+      add_look_up(map, fine, position, weight * (1.0F - coarse_part), light);
+      if (blended) {
+        add_look_up(map, coarse, position, weight * coarse_part, light);
+      }
     }
-  }
-  const T scale = factor / maximum(weights, T(1e-37F));
-  for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
-    sum.pixel[i] = lane(scale, i) * texels.of(i);
+    sum.pixel[0] = factor / maximum(weights, 1e-37F) * light;
+  } else {
+#if !defined(__CUDACC__)
+    StoredLookUps<T, probe_limit> in_fine(map, fine);
+    StoredLookUps<T, probe_limit> in_coarse(map, coarse);
+    int stored = 0;
+    for (T k = zero; any(k < count); k = k + one) {
+      const T x = (k * 2.0F + one) * line.per_count - one;
+      const CubePosition<T> position = probe_position(line, direction, along, x);
+      const T weight = select(k < count, probe_weight(x), zero);
+      weights = weights + weight;
+      const T coarse_weight = weight * coarse_part;
+      in_fine.set(stored, position, weight - coarse_weight);
+      if (blended) {
+        in_coarse.set(stored, position, coarse_weight);
+      }
+      ++stored;
+    }
+    const T scale = factor / maximum(weights, T(1e-37F));
+    const IntegerOf<T> whole = truncated(count);
+    std::int32_t counts[lanes];
+    std::memcpy(counts, &whole, sizeof counts);
+    ERGO_UNROLL
+    for (int i = 0; i < lanes; i += 4) {
+      QuadBlock lights[4];
+      ERGO_UNROLL
+      for (int j = 0; j < 4; ++j) {
+        lights[j] = zero_block();
+        in_fine.add(lights[j], i + j, counts[i + j]);
+        if (blended) {
+          in_coarse.add(lights[j], i + j, counts[i + j]);
+        }
+      }
+      totals(lights, sum.pixel + i);
+    }
+    for (int i = 0; i < lanes; ++i) {
+      sum.pixel[i] = lane(scale, i) * sum.pixel[i];
+    }
+#endif
   }
 }
 
@@ -334,7 +324,7 @@ ERGO_HD SkyLight<T> filter_sky(const CubeMap& map, const Vector3<T>& direction, 
   const T zero(0.0F);
   // A pixel is a Gaussian with a standard deviation of 0.5 px.
   const detail::Ellipse<T> ellipse = detail::ellipse_of(0.5F * along_x, 0.5F * along_y);
-  const auto resolved = ellipse.major_length < T(1.0F);
+  const auto resolved = ellipse.major_square < T(1.0F);
   SkyLight<T> light = detail::no_light<T>();
   const T seen = select(resolved, factor, zero);
   if (any(seen > zero)) {
@@ -357,10 +347,21 @@ ERGO_HD SkyLight<T> sample_sky(const CubeMap& map, const Vector3<T>& direction, 
   const T seen = select(known, factor, zero);
   if (any(seen > zero)) {
     const Vector3<T> towards = {select(known, direction.x, T(1.0F)), direction.y, direction.z};
-    detail::TexelSums<T> texels;
-    texels.add(map, detail::level_lanes<T>(map, truncated(zero)), cube_position(towards), seen);
-    for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
-      light.pixel[i] = texels.of(i);
+    const CubePosition<T> position = cube_position(towards);
+    const detail::LevelLanes<T> level = detail::level_lanes<T>(map, truncated(zero));
+    if constexpr (RealTraits<T>::lane_count == 1) {
+      detail::add_look_up(map, level, position, seen, light.pixel[0]);
+    } else {
+#if !defined(__CUDACC__)
+      detail::StoredLookUps<T, 1> look_ups(map, level);
+      look_ups.set(0, position, seen);
+      ERGO_UNROLL
+      for (int i = 0; i < RealTraits<T>::lane_count; ++i) {
+        QuadBlock sum = zero_block();
+        look_ups.add(sum, i, lane(seen, i) > 0.0F ? 1 : 0);
+        light.pixel[i] = total(sum);
+      }
+#endif
     }
   }
   detail::add_mean(map, select(known, zero, factor), light);
