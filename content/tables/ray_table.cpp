@@ -246,14 +246,14 @@ RayRows read_ray_table(std::istream& stream, const std::string& file, bool need_
 }
 
 RayRows read_ray_table(const std::filesystem::path& path) {
-  // Rows that are reserved and not used cost address space only; a second reservation would cost a copy.
-  constexpr std::uintmax_t short_line = 24;
+  // Rows that are reserved but not used cost only address space. A table with shorter lines is copied while it grows.
+  constexpr std::uintmax_t short_line_bytes = 24;
   constexpr std::uintmax_t most_reserved = 4'000'000;
   std::ifstream stream = open_table(path, "a table of rays");
   std::error_code problem;
   const std::uintmax_t bytes = std::filesystem::file_size(path, problem);
   return read_ray_table(stream, path.string(), true,
-                        problem ? 0 : static_cast<std::size_t>(std::min(bytes / short_line, most_reserved)));
+                        problem ? 0 : static_cast<std::size_t>(std::min(bytes / short_line_bytes, most_reserved)));
 }
 
 }  // namespace ergodome

@@ -124,12 +124,12 @@ struct LevelLanes {
   IntegerOf<T> first_texel;  //!< number of the level's first texel
 };
 
-//! Returns the number of an existing level.
+//! Returns the number of the nearest existing level.
 ERGO_HD int limited_level(const CubeMap& map, int level) {
   return level < 0 ? 0 : level < map.level_count ? level : map.level_count - 1;
 }
 
-//! Returns a level for each lane.
+//! level_lanes() for lanes that read different levels.
 template <class T>
 ERGO_HD_RARE LevelLanes<T> different_levels(const CubeMap& map, const IntegerOf<T>& level) {
   constexpr int lanes = RealTraits<T>::lane_count;
@@ -148,7 +148,7 @@ ERGO_HD_RARE LevelLanes<T> different_levels(const CubeMap& map, const IntegerOf<
   return of;
 }
 
-//! Returns the level of each lane; most registers have only one.
+//! Returns the level that each lane reads, given its number. In most registers, all lanes read the same level.
 template <class T>
 ERGO_HD LevelLanes<T> level_lanes(const CubeMap& map, const IntegerOf<T>& level) {
   std::int32_t first = 0;
