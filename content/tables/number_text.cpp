@@ -7,19 +7,36 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 namespace ergodome {
 
 namespace {
 
-__extension__ using Wide = unsigned __int128;
+//! How numbers of a type are written: with so many digits that they identify a number. Between `smallest` and `largest`,
+//! the digits follow from one exact product.
+template <class Real>
+struct Writing;
 
-constexpr int digit_count = 17;
-//! Numbers whose 17 digits follow from one exact product of 128 bits, and need no exponent.
-constexpr double smallest_plain = 1e-4;
-constexpr double largest_plain = 1e15;
+template <>
+struct Writing<double> {
+  using Bits = std::uint64_t;
+  __extension__ using Product = unsigned __int128;
+  static constexpr int digit_count = 17;
+  static constexpr double smallest = 1e-4;
+  static constexpr double largest = 1e15;
+};
 
-//! Powers of five up to 5^20, for numbers from smallest_plain.
+template <>
+struct Writing<float> {
+  using Bits = std::uint32_t;
+  using Product = std::uint64_t;
+  static constexpr int digit_count = 9;
+  static constexpr double smallest = 1e-9;
+  static constexpr double largest = 1e6;
+};
+
+//! Powers of five up to 5^20, for numbers from Writing::smallest.
 constexpr auto powers_of_five = [] {
   std::array<std::uint64_t, 21> powers{1};
   for (std::size_t i = 1; i < powers.size(); ++i) {
@@ -28,10 +45,11 @@ constexpr auto powers_of_five = [] {
   return powers;
 }();
 
-//! Powers of ten from smallest_plain to largest_plain. None of these doubles is below the exact
-//! power, so comparing with them yields the decimal exponent.
-constexpr double powers_of_ten[] = {1e-4, 1e-3, 1e-2, 1e-1, 1e0,  1e1,  1e2,  1e3,  1e4,  1e5,
-                                    1e6,  1e7,  1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+constexpr int first_power_of_ten = -9;
+//! No double or float that is written is between one of these numbers and the exact power of ten, so comparing with them
+//! yields the decimal exponent.
+constexpr double powers_of_ten[] = {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1e0,  1e1,  1e2, 1e3,
+                                    1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
 constexpr auto pairs_of_digits = [] {
   std::array<char, 200> pairs{};
@@ -48,52 +66,74 @@ void write_eight_digits(char* to, std::uint32_t number) {
   }
 }
 
-//! A positive number as digits * 10^(exponent - 16), with 17 digits.
+//! A positive number as digits, with a decimal point after the first, times 10^exponent.
 struct Decimal {
   std::uint64_t digits;
   int exponent;
 };
 
-//! Rounds a number from smallest_plain to largest_plain to 17 digits.
-Decimal decimal_of(double number) {
-  constexpr int mantissa_bits = 52;
-  constexpr std::uint64_t one = std::uint64_t{1} << mantissa_bits;
-  constexpr std::uint64_t too_many_digits = 100'000'000'000'000'000;
-  const auto bits = std::bit_cast<std::uint64_t>(number);
-  const int binary_exponent = static_cast<int>(bits >> mantissa_bits) - 1023;
-  // 1233 / 4096 is slightly below log10(2), so the estimate is correct or too small by one.
+//! Rounds a number from Writing::smallest to Writing::largest to Writing::digit_count digits.
+template <class Real>
+Decimal decimal_of(Real number) {
+  using Product = typename Writing<Real>::Product;
+  constexpr int mantissa_bits = std::numeric_limits<Real>::digits - 1;
+  constexpr auto one = typename Writing<Real>::Bits{1} << mantissa_bits;
+  constexpr std::uint64_t too_many_digits = Writing<Real>::digit_count == 17 ? 100'000'000'000'000'000 : 1'000'000'000;
+  const auto bits = std::bit_cast<typename Writing<Real>::Bits>(number);
+  const int binary_exponent = static_cast<int>(bits >> mantissa_bits) - (std::numeric_limits<Real>::max_exponent - 1);
+  // 1233 / 4096 is close to log10(2), so the estimate is correct or too small by one.
   int exponent = (binary_exponent * 1233) >> 12;
-  exponent += number >= powers_of_ten[exponent + 5] ? 1 : 0;
+  exponent += static_cast<double>(number) >= powers_of_ten[exponent + 1 - first_power_of_ten] ? 1 : 0;
   // number * 10^power = mantissa * 5^power / 2^shift
-  const int power = digit_count - 1 - exponent;
+  const int power = Writing<Real>::digit_count - 1 - exponent;
   const int shift = mantissa_bits - binary_exponent - power;
-  const Wide product = Wide{(bits & (one - 1)) | one} * powers_of_five[static_cast<std::size_t>(power)];
+  const Product product = Product{(bits & (one - 1)) | one} * powers_of_five[static_cast<std::size_t>(power)];
   auto digits = static_cast<std::uint64_t>(product >> shift);
-  const Wide rest = product - (Wide{digits} << shift);
-  const Wide half = Wide{1} << (shift - 1);
+  const Product rest = product - (Product{digits} << shift);
+  const Product half = Product{1} << (shift - 1);
   digits += rest > half || (rest == half && digits % 2 == 1) ? 1 : 0;
   return digits < too_many_digits ? Decimal{digits, exponent} : Decimal{digits / 10, exponent + 1};
 }
 
-//! Writes digits with a decimal point after the digit `exponent`, or with zeros before them.
+//! Writes 9 or 17 digits.
+template <int digit_count>
+void write_digits(char* to, std::uint64_t digits) {
+  constexpr std::uint64_t first = digit_count == 17 ? 10'000'000'000'000'000 : 100'000'000;
+  const std::uint64_t tail = digits % first;
+  *to++ = static_cast<char>('0' + digits / first);
+  if constexpr (digit_count == 17) {
+    write_eight_digits(to, static_cast<std::uint32_t>(tail / 100'000'000));
+    to += 8;
+  }
+  write_eight_digits(to, static_cast<std::uint32_t>(tail % 100'000'000));
+}
+
+//! Writes a number with `digit_count` digits, without the zeros at the end of its fraction.
+template <int digit_count>
 char* write_decimal(char* to, const Decimal& number) {
   char digits[2 * digit_count] = {};
-  const std::uint64_t tail = number.digits % 10'000'000'000'000'000;
-  digits[0] = static_cast<char>('0' + number.digits / 10'000'000'000'000'000);
-  write_eight_digits(digits + 1, static_cast<std::uint32_t>(tail / 100'000'000));
-  write_eight_digits(digits + 9, static_cast<std::uint32_t>(tail % 100'000'000));
+  write_digits<digit_count>(digits, number.digits);
   int count = digit_count;
   while (count > 1 && digits[count - 1] == '0') {
     --count;
   }
   // Copies of a fixed length are fast; what they write beyond the end is not part of the text.
-  const int whole = std::max(number.exponent + 1, 0);
+  if (number.exponent < -4) {
+    to[0] = digits[0];
+    to[1] = '.';
+    std::memcpy(to + 2, digits + 1, digit_count - 1);
+    char* const end = to + (count > 1 ? count + 1 : 1);
+    std::memcpy(end, "e-0", 3);
+    end[3] = static_cast<char>('0' - number.exponent);
+    return end + 4;
+  }
   if (number.exponent < 0) {
     constexpr char zeros[] = {'0', '.', '0', '0', '0'};
     std::memcpy(to, zeros, sizeof zeros);
     std::memcpy(to + 1 - number.exponent, digits, digit_count);
     return to + 1 - number.exponent + count;
   }
+  const int whole = number.exponent + 1;
   std::memcpy(to, digits, digit_count);
   to[whole] = '.';
   std::memcpy(to + whole + 1, digits + whole, digit_count);
@@ -101,19 +141,24 @@ char* write_decimal(char* to, const Decimal& number) {
   return to + (count > whole ? count + 1 : whole);
 }
 
-}  // namespace
-
-char* write_number(char* to, double value) {
-  const double size = std::abs(value);
-  if (size >= smallest_plain && size < largest_plain) {
+template <class Real>
+char* write_real(char* to, Real value) {
+  const auto size = static_cast<double>(std::abs(value));
+  if (size >= Writing<Real>::smallest && size < Writing<Real>::largest) {
     *to = '-';
-    return write_decimal(to + (value < 0.0 ? 1 : 0), decimal_of(size));
+    return write_decimal<Writing<Real>::digit_count>(to + (value < 0 ? 1 : 0), decimal_of(std::abs(value)));
   }
-  if (std::bit_cast<std::uint64_t>(value) == 0) {
+  if (std::bit_cast<typename Writing<Real>::Bits>(value) == 0) {
     *to = '0';
     return to + 1;
   }
-  return std::to_chars(to, to + room_for_number, value, std::chars_format::general, 17).ptr;
+  return std::to_chars(to, to + room_for_number, value, std::chars_format::general, Writing<Real>::digit_count).ptr;
 }
+
+}  // namespace
+
+char* write_number(char* to, double value) { return write_real(to, value); }
+
+char* write_number(char* to, float value) { return write_real(to, value); }
 
 }  // namespace ergodome

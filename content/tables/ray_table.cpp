@@ -92,27 +92,28 @@ Vector3<double> vector_of(const TableLine& line, const std::optional<std::size_t
   return v;
 }
 
-void check(const RayRow& row, const TableLine& line, std::string_view spin_name) {
-  if (!(std::abs(row.spacetime.spin) <= 1.0)) {
-    throw Error(line.location(), fmt::format("{} is {}, outside -1 to 1", spin_name, row.spacetime.spin),
+void check(const RayCamera& camera, const TableLine& line, std::string_view spin_name) {
+  if (!(std::abs(camera.spacetime.spin) <= 1.0)) {
+    throw Error(line.location(), fmt::format("{} is {}, outside -1 to 1", spin_name, camera.spacetime.spin),
                 "choose a spin in that range");
   }
-  const double horizon = horizon_radius(row.spacetime);
-  const bool falls = row.motion == ObserverMotion::rain || row.motion == ObserverMotion::rain_boost;
-  const double minimum = falls ? std::min(min_interior_radius(row.spacetime), horizon) : horizon;
-  if (!(row.r > minimum && row.r <= 1e12)) {
+  const double horizon = horizon_radius(camera.spacetime);
+  const bool falls = camera.motion == ObserverMotion::rain || camera.motion == ObserverMotion::rain_boost;
+  const double minimum = falls ? std::min(min_interior_radius(camera.spacetime), horizon) : horizon;
+  if (!(camera.r > minimum && camera.r <= 1e12)) {
     throw Error(
-        line.location(), fmt::format("r is {}, out of range for this observer", row.r),
-        falls || !(row.r > min_interior_radius(row.spacetime))
+        line.location(), fmt::format("r is {}, out of range for this observer", camera.r),
+        falls || !(camera.r > min_interior_radius(camera.spacetime))
             ? fmt::format("choose a radius above {:.6g} and up to 1e12", minimum)
             : fmt::format(
                   "choose a radius above the horizon at {:.6g} and up to 1e12, or the observer rain or rain_boost",
                   horizon));
   }
-  const Vector3<double> v = row.motion == ObserverMotion::rain_boost
-                                ? row.velocity
-                                : observer_velocity(row.motion, row.spacetime, row.r, row.theta, row.velocity);
-  if (row.motion != ObserverMotion::rain && !(dot(v, v) < 1.0)) {
+  const Vector3<double> v =
+      camera.motion == ObserverMotion::rain_boost
+          ? camera.velocity
+          : observer_velocity(camera.motion, camera.spacetime, camera.r, camera.theta, camera.velocity);
+  if (camera.motion != ObserverMotion::rain && !(dot(v, v) < 1.0)) {
     throw Error(line.location(), "this observer would have to move faster than light at this radius",
                 "choose another observer or a larger radius");
   }
@@ -133,12 +134,12 @@ void need_velocity(const TableLine& line, const Columns& columns) {
 
 //! Throws Error if a row gives a velocity that differs from that of its named observer. Empty cells
 //! and zeros are ignored.
-void check_velocity(const RayRow& row, const TableLine& line, const Columns& columns) {
+void check_velocity(const RayCamera& camera, const TableLine& line, const Columns& columns) {
   constexpr double same = 1e-6;
-  if (row.motion == ObserverMotion::velocity || row.motion == ObserverMotion::rain_boost) {
+  if (camera.motion == ObserverMotion::velocity || camera.motion == ObserverMotion::rain_boost) {
     return;
   }
-  const Vector3<double> v = observer_velocity(row.motion, row.spacetime, row.r, row.theta, row.velocity);
+  const Vector3<double> v = observer_velocity(camera.motion, camera.spacetime, camera.r, camera.theta, camera.velocity);
   const double own[3] = {v.x, v.y, v.z};
   for (std::size_t i = 0; i < 3; ++i) {
     const bool given = columns.beta[i] && !line.cell(*columns.beta[i]).empty();
@@ -152,20 +153,20 @@ void check_velocity(const RayRow& row, const TableLine& line, const Columns& col
   }
 }
 
-//! Reads and checks a row's camera. Leaves the direction and the id unset.
-RayRow ray_camera_of(const TableLine& line, const Columns& columns) {
-  RayRow row;
-  row.spacetime = Spacetime{line.number(columns.spin.column, columns.spin.name)};
-  row.r = line.number(columns.r, "r");
-  row.theta = theta_of(line, columns.theta);
-  row.motion = motion_of(line, line.cell(columns.observer));
-  if (row.motion == ObserverMotion::velocity || row.motion == ObserverMotion::rain_boost) {
+//! Reads and checks a row's camera.
+RayCamera ray_camera_of(const TableLine& line, const Columns& columns) {
+  RayCamera camera;
+  camera.spacetime = Spacetime{line.number(columns.spin.column, columns.spin.name)};
+  camera.r = line.number(columns.r, "r");
+  camera.theta = theta_of(line, columns.theta);
+  camera.motion = motion_of(line, line.cell(columns.observer));
+  if (camera.motion == ObserverMotion::velocity || camera.motion == ObserverMotion::rain_boost) {
     need_velocity(line, columns);
-    row.velocity = vector_of(line, columns.beta, "beta");
+    camera.velocity = vector_of(line, columns.beta, "beta");
   }
-  check(row, line, columns.spin.name);
-  check_velocity(row, line, columns);
-  return row;
+  check(camera, line, columns.spin.name);
+  check_velocity(camera, line, columns);
+  return camera;
 }
 
 Vector3<double> ray_direction_of(const TableLine& line, const Columns& columns) {
@@ -214,7 +215,16 @@ class CameraCells {
 
 }  // namespace
 
-RayRows read_ray_table(std::istream& stream, const std::string& file, bool need_directions, std::size_t expected_rows) {
+std::string RayTable::id_of(const RayRow& row) const {
+  if (id_ends.empty()) {
+    return std::to_string(row.number);
+  }
+  const std::size_t begin = row.number == 0 ? 0 : id_ends[row.number - 1];
+  return {ids.data() + begin, id_ends[row.number] - begin};
+}
+
+RayTable read_ray_table(std::istream& stream, const std::string& file, bool need_directions,
+                        std::size_t expected_rows) {
   NumberTable table(stream, file);
   Columns columns{table.find("id"),
                   either(table, file, "a", "spin"),
@@ -228,24 +238,28 @@ RayRows read_ray_table(std::istream& stream, const std::string& file, bool need_
       static_cast<void>(table.need(name));
     }
   }
-  RayRows rows;
-  rows.reserve(expected_rows);
+  RayTable rays;
+  rays.rows.reserve(expected_rows);
   CameraCells camera_cells(columns);
-  RayRow camera;
   for (TableLine line; table.next(line);) {
     if (!camera_cells.are_repeated(line)) {
-      camera = ray_camera_of(line, columns);
+      rays.cameras.push_back(ray_camera_of(line, columns));
     }
-    RayRow& row = rows.emplace_back(camera);
-    row.id = columns.id ? std::string(line.cell(*columns.id)) : std::to_string(rows.size() - 1);
+    const auto number = static_cast<std::uint32_t>(rays.rows.size());
+    RayRow row{{}, static_cast<std::uint32_t>(rays.cameras.size() - 1), number};
+    if (columns.id) {
+      rays.ids += line.cell(*columns.id);
+      rays.id_ends.push_back(rays.ids.size());
+    }
     if (columns.direction[0] && columns.direction[1] && columns.direction[2]) {
       row.direction = ray_direction_of(line, columns);
     }
+    rays.rows.push_back(row);
   }
-  return rows;
+  return rays;
 }
 
-RayRows read_ray_table(const std::filesystem::path& path) {
+RayTable read_ray_table(const std::filesystem::path& path) {
   // Rows that are reserved but not used cost only address space. A table with shorter lines is copied while it grows.
   constexpr std::uintmax_t short_line_bytes = 24;
   constexpr std::uintmax_t most_reserved = 4'000'000;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/commands/rays/ray_groups.h"
 #include "content/tables/number_text.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
@@ -31,8 +32,8 @@ double azimuth_of(const EquatorialCrossing<double>& crossing) {
 }
 
 //! Returns the lines of a ray; nothing if it does not converge.
-std::optional<std::string> lines_of(const RayRow& row, const CameraStation& camera, const DiskFlow<double>& flow,
-                                    const CrossingTableOptions& options) {
+std::optional<std::string> lines_of(const RayRow& row, const std::string& id, const CameraStation& camera,
+                                    const DiskFlow<double>& flow, const CrossingTableOptions& options) {
   const NearRay<double> ray = start_near_ray(camera, row.direction);
   const CrossingLimits<double> limits = {camera.u / farthest, options.tolerance, step_limit};
   EquatorialCrossing<double> crossings[crossing_orders];
@@ -44,7 +45,7 @@ std::optional<std::string> lines_of(const RayRow& row, const CameraStation& came
     const EquatorialCrossing<double>& at = crossings[order];
     const DiskLight<double> light = {1.0 / at.u, ray.energy, ray.axial_angular_momentum, ray.shear_constant,
                                      at.u_rate > 0.0};
-    fmt::format_to(std::back_inserter(text), "{},{}", row.id, order);
+    fmt::format_to(std::back_inserter(text), "{},{}", id, order);
     for (const double number : {light.r, azimuth_of(at), at.delay}) {
       text += ',';
       append_number(text, number);
@@ -60,22 +61,21 @@ std::optional<std::string> lines_of(const RayRow& row, const CameraStation& came
 
 }  // namespace
 
-std::string crossing_lines(std::span<const RayRow> rows, const CrossingTableOptions& options) {
-  const RayRow& first = rows.front();
-  const CameraStation camera =
-      make_camera_station(first.spacetime, first.r, first.theta, 0.0, first.motion, first.velocity);
+std::string crossing_lines(const RayTable& table, std::span<const RayRow> rows, const CrossingTableOptions& options) {
+  const RayCamera& first = table.camera_of(rows.front());
+  const CameraStation camera = station_of(first);
   const DiskFlow<double> flow = make_disk_flow(first.spacetime);
   std::vector<std::optional<std::string>> lines(rows.size());
   parallel_for(static_cast<int>(rows.size()), rays_at_a_time, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const auto at = static_cast<std::size_t>(i);
-      lines[at] = lines_of(rows[at], camera, flow, options);
+      lines[at] = lines_of(rows[at], table.id_of(rows[at]), camera, flow, options);
     }
   });
   std::string text;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!lines[i]) {
-      throw Error("trace --disk", "ray " + rows[i].id + " did not converge", "choose a larger --tolerance");
+      throw Error("trace --disk", "ray " + table.id_of(rows[i]) + " did not converge", "choose a larger --tolerance");
     }
     text += *lines[i];
   }

@@ -20,6 +20,6 @@ inline constexpr const char* crossing_table_head = "id,order,r_hit,phi_hit,delay
 //! share a camera: r_hit [M], phi_hit in (-π, π], delay (coordinate time from emission to the
 //! camera [M]), and g_kepler = ν_observed / ν_emitted for matter on a circular geodesic along +φ,
 //! which is empty inside the ISCO unless `plunging`. Throws Error for rays that do not converge.
-std::string crossing_lines(std::span<const RayRow> rows, const CrossingTableOptions& options);
+std::string crossing_lines(const RayTable& table, std::span<const RayRow> rows, const CrossingTableOptions& options);
 
 }  // namespace ergodome

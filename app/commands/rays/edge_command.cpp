@@ -5,7 +5,6 @@
 #include <iterator>
 #include <memory>
 #include <string>
-#include <utility>
 
 #include "app/cli/commands.h"
 #include "app/cli/output_file.h"
@@ -42,23 +41,23 @@ void append_points(const CameraStation& camera, const ShadowChart& chart, const 
 }
 
 void run_edge(const EdgeOptions& options) {
-  RayRows rows = read_ray_table(options.rays);
+  RayTable table = read_ray_table(options.rays);
   if (options.points > 0) {
     // Points of the edge depend only on the camera. Rows are grouped by camera, so that each
     // camera's points are written once.
-    rows = grouped_by_camera(std::move(rows)).rows;
+    group_by_camera(table);
   }
   LargeText text = options.points > 0 ? "id,point,n_r,n_theta,n_phi\n" : "id,edge_distance\n";
+  const RayRows& rows = table.rows;
   for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
-    const RayRow& row = rows[begin];
-    const CameraStation camera = make_camera_station(row.spacetime, row.r, row.theta, 0.0, row.motion, row.velocity);
+    const CameraStation camera = station_of(table.camera_of(rows[begin]));
     const ShadowChart chart = make_shadow_chart(camera);
     if (options.points > 0) {
-      append_points(camera, chart, rows[begin].id, options.points, text);
+      append_points(camera, chart, table.id_of(rows[begin]), options.points, text);
       return;
     }
     for (std::size_t i = begin; i < end; ++i) {
-      text += rows[i].id;
+      text += table.id_of(rows[i]);
       text += ',';
       append_number(text, edge_distance(camera, chart, rows[i].direction));
       text += '\n';

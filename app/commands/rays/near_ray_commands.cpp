@@ -19,28 +19,33 @@ namespace ergodome {
 
 namespace {
 
-using LinesOf = std::function<std::string(std::span<const RayRow>)>;
+//! Returns the lines of rows that share a camera.
+using LinesOf = std::function<std::string(const RayTable& table, std::span<const RayRow> rows)>;
 
 //! Writes a header line and the lines of each camera's rays.
 void write_lines(const RayFiles& files, const char* head, const LinesOf& lines) {
-  const RayRows rows = read_ray_table(files.rays);
+  const RayTable table = read_ray_table(files.rays);
   LargeText text = head;
-  for_each_camera(
-      rows, [&](std::size_t begin, std::size_t end) { text += lines(std::span(rows).subspan(begin, end - begin)); });
+  for_each_camera(table.rows, [&](std::size_t begin, std::size_t end) {
+    text += lines(table, std::span(table.rows).subspan(begin, end - begin));
+  });
   write_table(files.out, text);
 }
 
 void run_disk(const NearRayOptions& options, const RayFiles& files) {
-  CrossingTableOptions table;
-  table.tolerance = files.tolerance > 0.0 ? files.tolerance : table.tolerance;
-  table.plunging = options.plunging;
-  write_lines(files, crossing_table_head, [&](std::span<const RayRow> rows) { return crossing_lines(rows, table); });
+  CrossingTableOptions crossings;
+  crossings.tolerance = files.tolerance > 0.0 ? files.tolerance : crossings.tolerance;
+  crossings.plunging = options.plunging;
+  write_lines(files, crossing_table_head, [&](const RayTable& table, std::span<const RayRow> rows) {
+    return crossing_lines(table, rows, crossings);
+  });
 }
 
 void run_shell(const NearRayOptions& options, const RayFiles& files) {
-  ShellTableOptions table{*options.shell_r};
-  table.tolerance = files.tolerance > 0.0 ? files.tolerance : table.tolerance;
-  write_lines(files, shell_table_head, [&](std::span<const RayRow> rows) { return shell_lines(rows, table); });
+  ShellTableOptions shell{*options.shell_r};
+  shell.tolerance = files.tolerance > 0.0 ? files.tolerance : shell.tolerance;
+  write_lines(files, shell_table_head,
+              [&](const RayTable& table, std::span<const RayRow> rows) { return shell_lines(table, rows, shell); });
 }
 
 void run_objects(const NearRayOptions& options, const RayFiles& files) {
@@ -53,8 +58,9 @@ void run_objects(const NearRayOptions& options, const RayFiles& files) {
   }
   const ObjectRays objects(show, options.time_s);
   const double tolerance = files.tolerance > 0.0 ? files.tolerance : 1e-15;
-  write_lines(files, object_table_head,
-              [&](std::span<const RayRow> rows) { return object_lines(rows, objects, tolerance); });
+  write_lines(files, object_table_head, [&](const RayTable& table, std::span<const RayRow> rows) {
+    return object_lines(table, rows, objects, tolerance);
+  });
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ inline constexpr const char* object_table_head = "id,object,triangle,weight_1,we
 //! triangle, barycentric weights of the triangle's second and third corners, the position of the
 //! hit (pseudo-Cartesian [M], camera at azimuth 0), and the coordinate time from the hit to the
 //! camera [M]. The rays share a camera. Throws Error for rays that do not converge.
-std::string object_lines(std::span<const RayRow> rows, const ObjectRays& objects, double tolerance);
+std::string object_lines(const RayTable& table, std::span<const RayRow> rows, const ObjectRays& objects,
+                         double tolerance);
 
 }  // namespace ergodome

@@ -49,10 +49,6 @@ const std::map<std::string, TraceMethod> methods = {{"taylor", TraceMethod::tayl
                                                     {"closed_form", TraceMethod::closed_form},
                                                     {"baseline_rk34", TraceMethod::baseline_rk34}};
 
-CameraStation station_of(const RayRow& row) {
-  return make_camera_station(row.spacetime, row.r, row.theta, 0.0, row.motion, row.velocity);
-}
-
 //! Inputs and outputs of a batch of rays that share a camera.
 template <class S>
 struct BatchArrays {
@@ -72,16 +68,16 @@ struct BatchArrays {
 //! Fills the arrays with rows [begin, end), which share a camera, and returns a batch that refers
 //! to them.
 template <class S>
-RayBatch<S> batch_of(const RayRows& rows, std::size_t begin, BatchArrays<S>& arrays) {
+RayBatch<S> batch_of(const RayTable& rays, std::size_t begin, BatchArrays<S>& arrays) {
   RayBatch<S> batch{};
-  batch.camera = converted_station<S>(station_of(rows[begin]));
+  batch.camera = converted_station<S>(station_of(rays.camera_of(rays.rows[begin])));
   batch.count = static_cast<int>(arrays.g.size());
   for (int k = 0; k < 3; ++k) {
     batch.direction[k] = arrays.n[k].data();
     batch.sky[k] = arrays.sky[k].data();
   }
   for (std::size_t i = 0; i < arrays.g.size(); ++i) {
-    const Vector3<double>& n = rows[begin + i].direction;
+    const Vector3<double>& n = rays.rows[begin + i].direction;
     arrays.n[0][i] = static_cast<S>(n.x);
     arrays.n[1][i] = static_cast<S>(n.y);
     arrays.n[2][i] = static_cast<S>(n.z);
@@ -112,7 +108,7 @@ struct SkyTable : TableText {
 template <class S, std::size_t count>
 char* write_numbers(char* to, const S (&numbers)[count], char after) {
   for (const S number : numbers) {
-    to = write_number(to, static_cast<double>(number));
+    to = write_number(to, number);
     *to++ = after;
   }
   return to;
@@ -121,7 +117,7 @@ char* write_numbers(char* to, const S (&numbers)[count], char after) {
 //! Appends a line for each ray of a batch that starts at row `begin`. The error estimate is empty
 //! for rays that did not converge.
 template <class S>
-void append_rays(const RayRows& rows, std::size_t begin, const BatchArrays<S>& arrays, SkyTable& table) {
+void append_rays(const RayTable& rays, std::size_t begin, const BatchArrays<S>& arrays, SkyTable& table) {
   constexpr std::string_view words[] = {",escaped,", ",captured,", ",not_converged,"};
   for (std::size_t i = 0; i < arrays.g.size(); ++i) {
     const auto status = static_cast<std::size_t>(arrays.status[i]);
@@ -138,11 +134,11 @@ void append_rays(const RayRows& rows, std::size_t begin, const BatchArrays<S>& a
     end = std::copy_n(steps.data(), steps.size(), end);
     *end++ = ',';
     if (!unresolved) {
-      end = write_number(end, static_cast<double>(arrays.error_estimate[i]));
+      end = write_number(end, arrays.error_estimate[i]);
     }
     *end++ = '\n';
     table.begins.push_back(table.text.size());
-    table.text += rows[begin + i].id;
+    table.text += rays.id_of(rays.rows[begin + i]);
     table.text.append(line, static_cast<std::size_t>(end - line));
     table.unresolved += unresolved ? 1 : 0;
   }
@@ -171,49 +167,49 @@ double usual_tolerance(const std::string& method, bool in_float) {
 
 //! Traces rows [begin, end), which share a camera, and appends a line for each.
 template <class S>
-void trace_group(const RayRows& rows, std::size_t begin, std::size_t end, const RayOptions& options, SkyTable& table) {
+void trace_group(const RayTable& rays, std::size_t begin, std::size_t end, const RayOptions& options, SkyTable& table) {
   const double tolerance =
       options.tolerance > 0.0 ? options.tolerance : usual_tolerance(options.method, sizeof(S) == 4);
   for_each_block(begin, end, [&](std::size_t first, std::size_t last) {
     BatchArrays<S> arrays(last - first);
-    RayBatch<S> batch = batch_of(rows, first, arrays);
+    RayBatch<S> batch = batch_of(rays, first, arrays);
     batch.settings = {tolerance, 1'000'000};
     if (options.method == "baseline_rk34") {
       batch.settings.step_limit = 20'000;  // 10 times the published tracer's limit
     }
     batch.method = methods.at(options.method);
     launch(Backend::cpu, batch);
-    append_rays(rows, first, arrays, table);
+    append_rays(rays, first, arrays, table);
   });
 }
 
 //! Looks up the rays of rows [begin, end), which share a camera, in a lens grid built for it, and
 //! appends a line for each to the table. Prints statistics of the grid.
-void look_up_group(const RayRows& rows, std::size_t begin, std::size_t end, const RayOptions& options,
+void look_up_group(const RayTable& rays, std::size_t begin, std::size_t end, const RayOptions& options,
                    SkyTable& table) {
-  const RayRow& row = rows[begin];
+  const RayCamera& camera = rays.camera_of(rays.rows[begin]);
   GridSettings settings;
   settings.pixel = pi / options.size_px;
   settings.budget_px = pixels_of("--budget", options.budget);
-  settings.observer = aberration_to_rain(row.spacetime, row.r, row.theta, row.motion, row.velocity);
+  settings.observer = aberration_to_rain(camera.spacetime, camera.r, camera.theta, camera.motion, camera.velocity);
   settings.fine = options.precision == "double";
   GridStatistics statistics;
   const auto start = std::chrono::steady_clock::now();
-  const LensStation station = build_lens_station(row.spacetime, row.r, row.theta, settings, &statistics);
+  const LensStation station = build_lens_station(camera.spacetime, camera.r, camera.theta, settings, &statistics);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
   const LensGrid grid = grid_view(station);
   for_each_block(begin, end, [&](std::size_t first, std::size_t last) {
     BatchArrays<double> arrays(last - first);
     LookUpRaysBatch<double> batch{
-        batch_of(rows, first, arrays), {grid.chart, {grid, grid}, {}, 0.0F}, settings.observer};
+        batch_of(rays, first, arrays), {grid.chart, {grid, grid}, {}, 0.0F}, settings.observer};
     batch.rays.settings = {options.tolerance > 0.0 ? options.tolerance : 1e-9, 10'000};
     launch(Backend::cpu, batch);
-    append_rays(rows, first, arrays, table);
+    append_rays(rays, first, arrays, table);
   });
   print_out(
       "a {:.9g} r {:.9g} theta {:.9g}: {}{}, {} traced, {}, {} of them ({:.0f} px) left to direct rays, "
       "{:.1f} ms\n",
-      row.spacetime.spin, row.r, row.theta, counted(statistics.nodes, "node"),
+      camera.spacetime.spin, camera.r, camera.theta, counted(statistics.nodes, "node"),
       station.mirrored ? " (half the sky, mirrored)" : "",
       counted(statistics.traced_nodes + statistics.traced_checks, "ray"), counted(statistics.leaves, "cell"),
       statistics.flagged_leaves, statistics.flagged_px, time.count());
@@ -221,19 +217,19 @@ void look_up_group(const RayRows& rows, std::size_t begin, std::size_t end, cons
 
 //! Looks up the rays of rows [begin, end), which share a camera, in the quadtree grid of Verbraeck
 //! & Eisemann (2021), and appends a line for each to the table. Prints statistics of the grid.
-void read_quadtree_group(const RayRows& rows, std::size_t begin, std::size_t end, const RayOptions& options,
+void read_quadtree_group(const RayTable& rays, std::size_t begin, std::size_t end, const RayOptions& options,
                          SkyTable& table) {
-  const RayRow& row = rows[begin];
+  const RayCamera& camera = rays.camera_of(rays.rows[begin]);
   QuadtreeSettings settings;
   settings.coarsest_level = std::min(settings.coarsest_level, options.level);
   settings.finest_level = options.level;
-  const bool mirrored = quadtree_is_mirrored(row.theta, row.velocity);
+  const bool mirrored = quadtree_is_mirrored(camera.theta, camera.velocity);
   // One grid at the camera, or with --blend one half the distance nearer and one half the distance
   // farther.
   std::vector<CameraStation> cameras;
   for (const double side : {-0.5, 0.5}) {
     if (cameras.empty() || options.blend > 0.0) {
-      RayRow at = row;
+      RayCamera at = camera;
       at.r += options.blend > 0.0 ? side * options.blend : 0.0;
       cameras.push_back(station_of(at));
     }
@@ -241,9 +237,9 @@ void read_quadtree_group(const RayRows& rows, std::size_t begin, std::size_t end
   const auto start = std::chrono::steady_clock::now();
   std::vector<QuadtreeLens> lenses;
   std::vector<QuadtreeShadowTable> shadows;
-  for (const CameraStation& camera : cameras) {
-    lenses.emplace_back(camera, mirrored, settings);
-    shadows.emplace_back(camera, lenses.back().view().level);
+  for (const CameraStation& station : cameras) {
+    lenses.emplace_back(station, mirrored, settings);
+    shadows.emplace_back(station, lenses.back().view().level);
   }
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
   const bool linear = options.interpolation == "linear";
@@ -253,41 +249,41 @@ void read_quadtree_group(const RayRows& rows, std::size_t begin, std::size_t end
                                   linear ? QuadtreeInterpolation::linear : QuadtreeInterpolation::spline};
   for_each_block(begin, end, [&](std::size_t first, std::size_t last) {
     BatchArrays<double> arrays(last - first);
-    launch(Backend::cpu, QuadtreeRaysBatch{batch_of(rows, first, arrays), look_up});
-    append_rays(rows, first, arrays, table);
+    launch(Backend::cpu, QuadtreeRaysBatch{batch_of(rays, first, arrays), look_up});
+    append_rays(rays, first, arrays, table);
   });
-  print_out("a {:.9g} r {:.9g} theta {:.9g}: {} rays traced{}, {:.1f} ms\n", row.spacetime.spin, row.r, row.theta,
-            lenses.front().vertex_count() + (lenses.size() > 1 ? lenses.back().vertex_count() : 0),
+  print_out("a {:.9g} r {:.9g} theta {:.9g}: {} rays traced{}, {:.1f} ms\n", camera.spacetime.spin, camera.r,
+            camera.theta, lenses.front().vertex_count() + (lenses.size() > 1 ? lenses.back().vertex_count() : 0),
             mirrored ? " (half the sky, mirrored)" : "", time.count());
 }
 
 void run_trace(const RayOptions& options) {
   // Groups the rows so that a grid is built only once for each camera.
-  const GroupedRows grouped = grouped_by_camera(read_ray_table(options.rays));
-  const RayRows& rows = grouped.rows;
+  RayTable rays = read_ray_table(options.rays);
+  const bool ordered = group_by_camera(rays);
   std::size_t unresolved = 0;
   write_table_in_parts(options.out, [&](const TablePartWriter& write) {
     SkyTable table;
     table.text = "id,status,sky_x,sky_y,sky_z,g,steps,error_estimate\n";
-    if (grouped.position.empty()) {
+    if (ordered) {
       table.write = write;
     }
-    for_each_camera(rows, [&](std::size_t begin, std::size_t end) {
+    for_each_camera(rays.rows, [&](std::size_t begin, std::size_t end) {
       if (options.method == "grid") {
-        look_up_group(rows, begin, end, options, table);
+        look_up_group(rays, begin, end, options, table);
       } else if (options.method == "quadtree") {
-        read_quadtree_group(rows, begin, end, options, table);
+        read_quadtree_group(rays, begin, end, options, table);
       } else if (options.precision == "float") {
-        trace_group<float>(rows, begin, end, options, table);
+        trace_group<float>(rays, begin, end, options, table);
       } else {
-        trace_group<double>(rows, begin, end, options, table);
+        trace_group<double>(rays, begin, end, options, table);
       }
     });
     unresolved = table.unresolved;
-    write(text_in_place(std::move(table), grouped.position));
+    write(text_in_order(std::move(table), rays.rows));
   });
   if (unresolved > 0) {
-    print_note("{} of {} did not converge; choose {}another --method", unresolved, counted(rows.size(), "ray"),
+    print_note("{} of {} did not converge; choose {}another --method", unresolved, counted(rays.rows.size(), "ray"),
                options.method == "closed_form" ? "" : "a coarser --tolerance, or ");
   }
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <numeric>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
@@ -16,13 +16,9 @@ namespace ergodome {
 namespace {
 
 //! Returns the values that distinguish cameras.
-auto camera_of(const RayRow& row) {
-  return std::tuple(row.spacetime.spin, row.r, row.theta, row.motion, row.velocity.x, row.velocity.y, row.velocity.z);
-}
-
-bool same_camera(const RayRow& a, const RayRow& b) {
-  return a.spacetime.spin == b.spacetime.spin && a.r == b.r && a.theta == b.theta && a.motion == b.motion &&
-         a.velocity.x == b.velocity.x && a.velocity.y == b.velocity.y && a.velocity.z == b.velocity.z;
+auto values_of(const RayCamera& camera) {
+  return std::tuple(camera.spacetime.spin, camera.r, camera.theta, camera.motion, camera.velocity.x, camera.velocity.y,
+                    camera.velocity.z);
 }
 
 }  // namespace
@@ -43,42 +39,30 @@ std::string ray_table_help() {
          "The extension of --out chooses the format: .csv, .tsv (tabs) or .json (an array of objects).";
 }
 
-GroupedRows grouped_by_camera(RayRows rows) {
-  std::map<decltype(camera_of(rows[0])), std::uint32_t> number_of;
-  LargeVector<std::uint32_t> camera(rows.size());
-  bool are_grouped = true;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (i > 0 && same_camera(rows[i - 1], rows[i])) {
-      camera[i] = camera[i - 1];
-      continue;
-    }
-    const auto [found, is_new] =
-        number_of.try_emplace(camera_of(rows[i]), static_cast<std::uint32_t>(number_of.size()));
-    camera[i] = found->second;
-    are_grouped = are_grouped && is_new;
+bool group_by_camera(RayTable& table) {
+  std::map<decltype(values_of(table.cameras[0])), std::uint32_t> first_with;
+  std::vector<std::uint32_t> same;
+  same.reserve(table.cameras.size());
+  for (const RayCamera& camera : table.cameras) {
+    same.push_back(first_with.try_emplace(values_of(camera), static_cast<std::uint32_t>(same.size())).first->second);
   }
-  GroupedRows grouped;
-  if (are_grouped) {
-    grouped.rows = std::move(rows);
-    return grouped;
+  if (first_with.size() == same.size()) {
+    return true;
   }
-  grouped.position.resize(rows.size());
-  std::iota(grouped.position.begin(), grouped.position.end(), std::size_t{0});
-  std::ranges::stable_sort(grouped.position, {}, [&](std::size_t i) { return camera[i]; });
-  grouped.rows.reserve(rows.size());
-  for (const std::size_t i : grouped.position) {
-    grouped.rows.push_back(std::move(rows[i]));
+  for (RayRow& row : table.rows) {
+    row.camera = same[row.camera];
   }
-  return grouped;
+  std::ranges::stable_sort(table.rows, {}, &RayRow::camera);
+  return std::ranges::is_sorted(table.rows, {}, &RayRow::number);
 }
 
-LargeText text_in_place(TableText table, const LargeVector<std::size_t>& position) {
-  if (position.empty()) {
-    return std::move(table.text);
+LargeText text_in_order(TableText table, const RayRows& rows) {
+  if (table.begins.empty()) {
+    return std::move(table.text);  // finished lines were passed on in order
   }
-  LargeVector<std::size_t> from(position.size());
-  for (std::size_t i = 0; i < position.size(); ++i) {
-    from[position[i]] = i;
+  LargeVector<std::size_t> from(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    from[rows[i].number] = i;
   }
   LargeText text;
   text.reserve(table.text.size());
@@ -90,12 +74,16 @@ LargeText text_in_place(TableText table, const LargeVector<std::size_t>& positio
   return text;
 }
 
+CameraStation station_of(const RayCamera& camera) {
+  return make_camera_station(camera.spacetime, camera.r, camera.theta, 0.0, camera.motion, camera.velocity);
+}
+
 void for_each_camera(const RayRows& rows, const std::function<void(std::size_t, std::size_t)>& work) {
   constexpr std::size_t longest_run = 1'000'000;
   Progress progress("tracing", static_cast<long>(std::max<std::size_t>(rows.size(), 1)));
   for (std::size_t begin = 0; begin < rows.size();) {
     std::size_t end = begin + 1;
-    while (end < rows.size() && end - begin < longest_run && same_camera(rows[begin], rows[end])) {
+    while (end < rows.size() && end - begin < longest_run && rows[begin].camera == rows[end].camera) {
       ++end;
     }
     if (interrupted()) {

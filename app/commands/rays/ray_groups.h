@@ -8,14 +8,9 @@
 
 namespace ergodome {
 
-//! Table rows grouped by camera. The groups are in the order of their first rows in the table.
-struct GroupedRows {
-  RayRows rows;
-  LargeVector<std::size_t> position;  //!< original index of each row; empty if the rows kept their order
-};
-GroupedRows grouped_by_camera(RayRows rows);
-
-using LargeText = std::basic_string<char, std::char_traits<char>, LargeAllocator<char>>;
+//! Groups the rows of a table by camera, and makes those of a group refer to one camera. The groups are in the order of
+//! their first rows. Returns true if the rows keep their order.
+bool group_by_camera(RayTable& table);
 
 //! A table as text: a header line and the lines of its rows.
 struct TableText {
@@ -24,8 +19,11 @@ struct TableText {
 };
 
 //! Returns the text of a table with one line for each grouped row, in the original order of the
-//! rows. `position`: GroupedRows::position.
-LargeText text_in_place(TableText table, const LargeVector<std::size_t>& position);
+//! rows.
+LargeText text_in_order(TableText table, const RayRows& rows);
+
+//! Returns the position and the motion of a camera, for kernels.
+CameraStation station_of(const RayCamera& camera);
 
 //! Returns the description of tables in the help of `trace` and `edge`: columns, axes, units.
 std::string ray_table_help();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/commands/rays/ray_groups.h"
 #include "content/tables/number_text.h"
 #include "kernels/core/angles.h"
 #include "kernels/core/error.h"
@@ -23,7 +24,8 @@ constexpr int shell_rays_at_a_time = 16;
 
 //! Writes a line for each crossing of a ray while it is traced.
 struct LineWriter {
-  const RayRow& row;
+  const std::string& id;
+  double spin;
   const NearRay<double>& ray;
   double r;
   int count = 0;
@@ -36,9 +38,9 @@ struct LineWriter {
     const double theta = std::atan2(std::hypot(at.m.x, at.m.y), at.m.z);
     const double turned = std::remainder(std::atan2(at.m.y, at.m.x) + at.drag, 2.0 * pi);
     const double phi = turned <= -pi ? pi : turned;
-    const double g = 1.0 / zamo_frequency(row.spacetime.spin, r, std::sin(theta), std::cos(theta), ray.energy,
-                                          ray.axial_angular_momentum);
-    fmt::format_to(std::back_inserter(text), "{},{}", row.id, count);
+    const double g =
+        1.0 / zamo_frequency(spin, r, std::sin(theta), std::cos(theta), ray.energy, ray.axial_angular_momentum);
+    fmt::format_to(std::back_inserter(text), "{},{}", id, count);
     for (const double number : {theta, phi, at.time, at.delay}) {
       text += ',';
       append_number(text, number);
@@ -53,10 +55,11 @@ struct LineWriter {
 };
 
 //! Returns the lines of a ray, one for each crossing; nothing if it does not converge.
-std::optional<std::string> lines_of(const RayRow& row, const CameraStation& camera, const ShellTableOptions& options) {
+std::optional<std::string> lines_of(const RayRow& row, const std::string& id, const CameraStation& camera,
+                                    const ShellTableOptions& options) {
   const NearRay<double> ray = start_near_ray(camera, row.direction);
   const double u = 1.0 / options.r;
-  LineWriter writer{row, ray, options.r};
+  LineWriter writer{id, camera.spin, ray, options.r};
   if (!trace_shells<20, NearParts::azimuth_and_delay>(camera.spin, ray, {&u, 1}, {options.tolerance, shell_step_limit},
                                                       true, writer)) {
     return std::nullopt;
@@ -66,28 +69,27 @@ std::optional<std::string> lines_of(const RayRow& row, const CameraStation& came
 
 }  // namespace
 
-std::string shell_lines(std::span<const RayRow> rows, const ShellTableOptions& options) {
-  const RayRow& first = rows.front();
+std::string shell_lines(const RayTable& table, std::span<const RayRow> rows, const ShellTableOptions& options) {
+  const RayCamera& first = table.camera_of(rows.front());
   const double horizon_r = horizon_radius(first.spacetime);
   if (!(options.r > horizon_r)) {
     throw Error("trace --shell",
-                fmt::format("{} M is inside the horizon: for ray {}, the horizon is at {:.6g} M", options.r, first.id,
-                            horizon_r),
+                fmt::format("{} M is inside the horizon: for ray {}, the horizon is at {:.6g} M", options.r,
+                            table.id_of(rows.front()), horizon_r),
                 fmt::format("choose a radius above {:.6g}", horizon_r));
   }
-  const CameraStation camera =
-      make_camera_station(first.spacetime, first.r, first.theta, 0.0, first.motion, first.velocity);
+  const CameraStation camera = station_of(first);
   std::vector<std::optional<std::string>> lines(rows.size());
   parallel_for(static_cast<int>(rows.size()), shell_rays_at_a_time, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const auto at = static_cast<std::size_t>(i);
-      lines[at] = lines_of(rows[at], camera, options);
+      lines[at] = lines_of(rows[at], table.id_of(rows[at]), camera, options);
     }
   });
   std::string text;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!lines[i]) {
-      throw Error("trace --shell", "ray " + rows[i].id + " did not converge", "choose a larger --tolerance");
+      throw Error("trace --shell", "ray " + table.id_of(rows[i]) + " did not converge", "choose a larger --tolerance");
     }
     text += *lines[i];
   }

@@ -21,6 +21,6 @@ inline constexpr const char* shell_table_head = "id,crossing,theta_hit,phi_hit,m
 //! energy 1 at the camera [1/M]; coordinate time from there to the camera [M]; 1 if the light moves
 //! outward there, otherwise 0; g = ν_observed / ν_emitted for a ZAMO on the shell. Throws Error for
 //! a shell that is not outside the horizon, and for rays that do not converge.
-std::string shell_lines(std::span<const RayRow> rows, const ShellTableOptions& options);
+std::string shell_lines(const RayTable& table, std::span<const RayRow> rows, const ShellTableOptions& options);
 
 }  // namespace ergodome

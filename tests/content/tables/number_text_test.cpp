@@ -22,12 +22,22 @@ void expect_text_of_fmt(double value) {
   }
 }
 
+void expect_text_of_fmt(float value) {
+  for (const float number : {value, -value}) {
+    std::string text;
+    append_number(text, number);
+    ASSERT_EQ(text, fmt::format("{:.9g}", static_cast<double>(number)));
+  }
+}
+
 TEST(NumberText, IsThatOfFmtForNumbersOfAnySize) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> exponent(-20.0, 20.0);
   for (int i = 0; i < 50'000; ++i) {
     expect_text_of_fmt(std::pow(10.0, exponent(random)));
     expect_text_of_fmt(std::bit_cast<double>(random()));
+    expect_text_of_fmt(static_cast<float>(std::pow(10.0, exponent(random))));
+    expect_text_of_fmt(std::bit_cast<float>(static_cast<std::uint32_t>(random())));
   }
 }
 
@@ -36,9 +46,13 @@ TEST(NumberText, IsThatOfFmtForNumbersWithFewDigits) {
   std::uniform_int_distribution<int> numerator(0, 1'000'000);
   std::uniform_int_distribution<int> power(0, 30);
   for (int i = 0; i < 50'000; ++i) {
-    expect_text_of_fmt(numerator(random));
+    expect_text_of_fmt(static_cast<double>(numerator(random)));
+    expect_text_of_fmt(static_cast<float>(numerator(random)));
     expect_text_of_fmt(numerator(random) / 1000.0);
-    expect_text_of_fmt(std::ldexp(numerator(random), -power(random)));  // ties of the 17th digit
+    expect_text_of_fmt(static_cast<float>(numerator(random)) / 1000.0F);
+    const double tie = std::ldexp(numerator(random), -power(random));  // of the last digit
+    expect_text_of_fmt(tie);
+    expect_text_of_fmt(static_cast<float>(tie));
   }
 }
 
@@ -52,6 +66,14 @@ TEST(NumberText, IsThatOfFmtNextToPowersOfTen) {
       below = std::nextafter(below, 0.0);
       above = std::nextafter(above, 1e300);
     }
+    float float_below = std::pow(10.0F, static_cast<float>(power));
+    float float_above = float_below;
+    for (int i = 0; i < 10; ++i) {
+      expect_text_of_fmt(float_below);
+      expect_text_of_fmt(float_above);
+      float_below = std::nextafter(float_below, 0.0F);
+      float_above = std::nextafter(float_above, 1e30F);
+    }
   }
 }
 
@@ -60,7 +82,10 @@ TEST(NumberText, IsThatOfFmtForExtremeAndSpecialNumbers) {
   for (const double number : {0.0, Limits::denorm_min(), Limits::min(), Limits::max(), Limits::infinity(),
                               Limits::quiet_NaN(), static_cast<double>(0.1F)}) {
     expect_text_of_fmt(number);
+    expect_text_of_fmt(static_cast<float>(number));
   }
+  expect_text_of_fmt(std::numeric_limits<float>::denorm_min());
+  expect_text_of_fmt(std::numeric_limits<float>::max());
 }
 
 }  // namespace

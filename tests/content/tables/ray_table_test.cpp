@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 const std::string header = "a,r,theta,observer,n_r,n_theta,n_phi\n";
 
-RayRows parsed_rays(const std::string& text) {
+RayTable parsed_rays(const std::string& text) {
   std::istringstream stream(text);
   return read_ray_table(stream, "rays.csv");
 }
@@ -26,24 +26,25 @@ std::string ray_problem(const std::string& text) {
 }
 
 TEST(RayTable, ReadsTheReferenceTable) {
-  const auto rows = read_ray_table(ERGODOME_TEST_DATA_DIR "/rays.csv");
-  ASSERT_EQ(rows.size(), 806U);
-  EXPECT_EQ(rows[3].id, "3");
-  EXPECT_EQ(rows[48].motion, ObserverMotion::velocity);
+  const RayTable table = read_ray_table(ERGODOME_TEST_DATA_DIR "/rays.csv");
+  ASSERT_EQ(table.rows.size(), 806U);
+  EXPECT_EQ(table.id_of(table.rows[3]), "3");
+  EXPECT_EQ(table.camera_of(table.rows[48]).motion, ObserverMotion::velocity);
 }
 
 TEST(RayTable, RowsWithoutAVelocityHaveNone) {
-  const auto rows = parsed_rays(header + "0.5,6,1,zamo,1,0,0\n0.5,6,1,zamo,0,1,0");
-  ASSERT_EQ(rows.size(), 2U);
-  for (const RayRow& row : rows) {
-    EXPECT_EQ(row.velocity.x, 0.0);
-    EXPECT_EQ(row.velocity.y, 0.0);
-    EXPECT_EQ(row.velocity.z, 0.0);
+  const RayTable table = parsed_rays(header + "0.5,6,1,zamo,1,0,0\n0.5,6,1,zamo,0,1,0");
+  ASSERT_EQ(table.rows.size(), 2U);
+  for (const RayRow& row : table.rows) {
+    const RayCamera& camera = table.camera_of(row);
+    EXPECT_EQ(camera.velocity.x, 0.0);
+    EXPECT_EQ(camera.velocity.y, 0.0);
+    EXPECT_EQ(camera.velocity.z, 0.0);
   }
 }
 
 TEST(RayTable, TakesTheMarkThatSpreadsheetsWriteFirst) {
-  EXPECT_EQ(parsed_rays("\xEF\xBB\xBF" + header + "0.5,6,1,zamo,1,0,0\n").size(), 1U);
+  EXPECT_EQ(parsed_rays("\xEF\xBB\xBF" + header + "0.5,6,1,zamo,1,0,0\n").rows.size(), 1U);
 }
 
 TEST(RayTable, RefusesALineWithoutEndBeforeReadingItAll) {
@@ -52,19 +53,20 @@ TEST(RayTable, RefusesALineWithoutEndBeforeReadingItAll) {
 }
 
 TEST(RayTable, FindsColumnsByNameAndIgnoresOthers) {
-  const auto rows = parsed_rays("n_phi,n_theta,n_r,note,observer,theta,r,a\n3,0,4,hello,rain,+1.0e+00,5,-0.5\r\n");
-  ASSERT_EQ(rows.size(), 1U);
-  EXPECT_EQ(rows[0].id, "0");
-  EXPECT_EQ(rows[0].spacetime.spin, -0.5);
-  EXPECT_EQ(rows[0].theta, 1.0);
-  EXPECT_NEAR(rows[0].direction.x, 0.8, 1e-15);
-  EXPECT_NEAR(rows[0].direction.z, 0.6, 1e-15);
+  const RayTable table = parsed_rays("n_phi,n_theta,n_r,note,observer,theta,r,a\n3,0,4,hello,rain,+1.0e+00,5,-0.5\r\n");
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_EQ(table.id_of(table.rows[0]), "0");
+  EXPECT_EQ(table.camera_of(table.rows[0]).spacetime.spin, -0.5);
+  EXPECT_EQ(table.camera_of(table.rows[0]).theta, 1.0);
+  EXPECT_NEAR(table.rows[0].direction.x, 0.8, 1e-15);
+  EXPECT_NEAR(table.rows[0].direction.z, 0.6, 1e-15);
 }
 
 TEST(RayTable, ReadsNumbersOfFortyDigitsAndTinyOnes) {
-  const auto rows = parsed_rays(header + "0.5,5,1,zamo,-7.27454632735125783505123456789012345678e-01,1e-340,6.8e-1\n");
-  EXPECT_LT(rows[0].direction.x, 0.0);
-  EXPECT_EQ(rows[0].direction.y, 0.0);
+  const RayTable table =
+      parsed_rays(header + "0.5,5,1,zamo,-7.27454632735125783505123456789012345678e-01,1e-340,6.8e-1\n");
+  EXPECT_LT(table.rows[0].direction.x, 0.0);
+  EXPECT_EQ(table.rows[0].direction.y, 0.0);
 }
 
 TEST(RayTable, ProblemsNameTheLine) {
@@ -87,14 +89,14 @@ TEST(RayTable, ProblemsNameTheLine) {
 }
 
 TEST(RayTable, TakesSpinAndDegreesByTheirColumnsNames) {
-  const auto rows =
+  const RayTable table =
       parsed_rays("spin,r,theta_deg,observer,n_r,n_theta,n_phi\n0.5,6,60,zamo,0,0,2\n-1,6,180,zamo,0,0,2\n");
-  ASSERT_EQ(rows.size(), 2U);
-  EXPECT_EQ(rows[0].spacetime.spin, 0.5);
-  EXPECT_NEAR(rows[0].theta, 1.0471975511965976, 1e-15);
-  EXPECT_EQ(rows[0].direction.z, 1.0);
-  EXPECT_EQ(rows[1].spacetime.spin, -1.0);
-  EXPECT_NEAR(rows[1].theta, 3.141592653589793, 1e-15);
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_EQ(table.camera_of(table.rows[0]).spacetime.spin, 0.5);
+  EXPECT_NEAR(table.camera_of(table.rows[0]).theta, 1.0471975511965976, 1e-15);
+  EXPECT_EQ(table.rows[0].direction.z, 1.0);
+  EXPECT_EQ(table.camera_of(table.rows[1]).spacetime.spin, -1.0);
+  EXPECT_NEAR(table.camera_of(table.rows[1]).theta, 3.141592653589793, 1e-15);
   const std::string degrees = "spin,r,theta_deg,observer,n_r,n_theta,n_phi\n";
   EXPECT_THAT(ray_problem(degrees + "0.5,6,181,zamo,1,0,0\n"), HasSubstr("theta_deg is 181"));
   EXPECT_THAT(ray_problem(degrees + "0.5,6,x,zamo,1,0,0\n"), HasSubstr("theta_deg is \"x\""));
@@ -130,13 +132,13 @@ TEST(RayTable, ReadsEveryRowOfALongTableWithItsCamera) {
   for (int i = 0; i < rows; ++i) {
     text += fmt::format("{0},0.5,{1},1,zamo,0,0,{0}.5\n", i, 6 + i / 3 % 2);
   }
-  const auto table = parsed_rays(text);
-  ASSERT_EQ(table.size(), static_cast<std::size_t>(rows));
+  const RayTable table = parsed_rays(text);
+  ASSERT_EQ(table.rows.size(), static_cast<std::size_t>(rows));
   for (int i = 0; i < rows; ++i) {
-    const RayRow& row = table[static_cast<std::size_t>(i)];
-    EXPECT_EQ(row.id, std::to_string(i));
-    EXPECT_EQ(row.r, 6 + i / 3 % 2);
-    EXPECT_EQ(row.spacetime.spin, 0.5);
+    const RayRow& row = table.rows[static_cast<std::size_t>(i)];
+    EXPECT_EQ(table.id_of(row), std::to_string(i));
+    EXPECT_EQ(table.camera_of(row).r, 6 + i / 3 % 2);
+    EXPECT_EQ(table.camera_of(row).spacetime.spin, 0.5);
     EXPECT_EQ(row.direction.z, 1.0);
   }
 }
