@@ -7,12 +7,14 @@
 #include "kernels/stars/search/patch_pairs_kernel.h"
 #include "kernels/stars/search/star_bands_kernel.h"
 #include "kernels/stars/star_images_kernel.h"
+#include "kernels/stars/star_points_kernel.h"
 
 namespace ergodome {
 
 ERGO_CPU_KERNEL(StarImageBatch<float>);
 ERGO_CPU_KERNEL(StarImageBatch<double>);
 ERGO_CPU_KERNEL(ObservedPositionBatch);
+ERGO_CPU_KERNEL(PointLightBatch);
 ERGO_CPU_KERNEL(StarSearchBatch);
 ERGO_CPU_KERNEL(PatchMeasureBatch);
 ERGO_CPU_KERNEL(PatchMotionBatch);

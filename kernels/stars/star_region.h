@@ -35,6 +35,13 @@ struct StarPointBatch {
   int count;                //!< number of images
 };
 
+//! Lights up points of a region (light_up()), which lie in host memory.
+struct PointLightBatch {
+  StarRegion region;
+  StarPoint* points;
+  int count;
+};
+
 inline namespace ERGO_TARGET {
 
 //! Computes the screen position [px] of a direction of the observer. Returns false if it has none.
@@ -47,7 +54,7 @@ ERGO_HD bool project_to_screen(const Vector3<float>& n, const double (&frame_fro
   return pixel_from_direction(projection, {along(0), along(1), along(2)}, x, y);
 }
 
-//! Computes the point for light of the given illuminance at position (x, y) of a region [px].
+//! Computes the point for light of the given illuminance [lx] at position (x, y) of a region [px], not yet lit up.
 //! Returns false if none of the light may reach the picture.
 ERGO_HD bool point_in_region(const StarRegion& region, double x, double y, const Vector3<float>& illuminance,
                              bool has_spikes, StarPoint& point) {
@@ -60,11 +67,17 @@ ERGO_HD bool point_in_region(const StarRegion& region, double x, double y, const
         y <= projection.height_px + reach_px)) {
     return false;
   }
-  const double solid_angle = pixel_solid_angle(projection, x, y);
-  const Vector3<float> light = (region.scale / static_cast<float>(maximum(solid_angle, 1e-12))) * illuminance;
   const float part = has_spikes ? region.spike_strength : 0.0F;
-  point = {x + region.cell.left_px, y + region.cell.top_px, (1.0F - part) * light, part * light, region.number};
+  point = {x + region.cell.left_px, y + region.cell.top_px, (1.0F - part) * illuminance, part * illuminance,
+           region.number};
   return true;
+}
+
+//! Converts the illuminance of a point to picture values, given the solid angle of its pixel [sr].
+ERGO_HD void light_up(const StarRegion& region, double solid_angle, StarPoint& point) {
+  const float value = region.scale / static_cast<float>(maximum(solid_angle, 1e-12));
+  point.light = value * point.light;
+  point.spikes = value * point.spikes;
 }
 
 //! Returns whether an image is bright enough for spikes.
@@ -79,6 +92,14 @@ struct Kernel<StarPointBatch> : KernelDefaults {
   static constexpr bool compiled_once = true;
   static const char* name(const StarPointBatch& /*batch*/) { return "place_star_images"; }
   static int elements(const StarPointBatch& batch) { return batch.count; }
+};
+
+template <>
+struct Kernel<PointLightBatch> : KernelDefaults {
+  using Real = double;
+  static constexpr bool counted = false;
+  static const char* name(const PointLightBatch& /*batch*/) { return "light_points"; }
+  static int elements(const PointLightBatch& batch) { return batch.count; }
 };
 
 }  // namespace ergodome

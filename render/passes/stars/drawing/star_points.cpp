@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "kernels/core/angles.h"
+#include "kernels/launch/launch.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/projection/pixel_measure.h"
 #include "render/passes/stars/drawing/picture_regions.h"
@@ -136,8 +137,11 @@ std::vector<StarPoint> points_in_regions(const Projection& projection, const Spl
   parallel_for(static_cast<int>(parts.size()), 1, [&](int begin, int end) {
     for (auto part = static_cast<std::size_t>(begin); part < static_cast<std::size_t>(end); ++part) {
       for (const StarRegion& region : regions) {
-        PointList list(region, parts[part]);
+        std::vector<StarPoint>& points = parts[part];
+        const std::size_t first = points.size();
+        PointList list(region, points);
         body(part * chunk, std::min((part + 1) * chunk, count), list);
+        run_on_this_thread(PointLightBatch{region, points.data() + first, static_cast<int>(points.size() - first)});
       }
     }
   });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/quad.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
 #include "kernels/projection/pixel_measure.h"
@@ -28,22 +29,21 @@ bool is_all_inside(const Projection& projection, int left, int right, int top, i
 
 //! Adds a row of pixels that are entirely inside the image. `light`: light of the row; its fourth
 //! channel is 0.
-void add_whole_row(const PointSpread& across, const float (&light)[4], float* rgba) {
+void add_whole_row(const PointSpread& across, const Quad& light, float* rgba) {
   for (int i = 0; i < across.count; ++i) {
-    const float part = across.part[static_cast<std::size_t>(i)];
-    for (int channel = 0; channel < 4; ++channel) {
-      rgba[4 * i + channel] += part * light[channel];
-    }
+    float* const pixel = rgba + 4 * i;
+    store_quad(pixel, load_quad(pixel) + across.part[static_cast<std::size_t>(i)] * light);
   }
 }
 
 //! Adds the light of one point to those pixels that are in rows [top, bottom) and in a cell of the
 //! picture. `rgba` begins at row `origin`.
-void add(const StarPoint& splat, const Projection& projection, const PixelCell& cell, const SplatSettings& settings,
+void add(const StarPoint& splat, const Projection& projection, const PixelCell& cell, const PointSpreads& spreads,
          int top, int bottom, int origin, float* rgba) {
-  const double reach = settings.reach_px() - 1.0;
-  const PointSpread across(splat.x_px, settings.sigma_px, reach);
-  const PointSpread down(splat.y_px, settings.sigma_px, reach);
+  PointSpread across;
+  PointSpread down;
+  spreads.spread(splat.x_px, across);
+  spreads.spread(splat.y_px, down);
   const bool wraps = wraps_around(projection);
   const int width = projection.width_px;
   const int first_row = std::max(top, cell.top_px);
@@ -59,7 +59,7 @@ void add(const StarPoint& splat, const Projection& projection, const PixelCell& 
     }
     if (whole_rows) {
       const float part = down.part[static_cast<std::size_t>(j)];
-      add_whole_row(across, {part * splat.light.x, part * splat.light.y, part * splat.light.z, 0.0F},
+      add_whole_row(across, part * quad_from(splat.light.x, splat.light.y, splat.light.z, 0.0F),
                     rgba + 4 * (static_cast<std::ptrdiff_t>(y - origin) * width + across.first));
       continue;
     }
@@ -105,13 +105,14 @@ void splat_points(const std::vector<StarPoint>& points, const Projection& projec
   const WorkScope work(counter, static_cast<long>(points.size()));
   const std::vector<PictureRegion> regions = picture_regions(projection);
   const double reach = settings.reach_px();
+  const PointSpreads spreads(settings.sigma_px, reach - 1.0);
   const int bands = (row_count + splat_band_rows - 1) / splat_band_rows;
   parallel_for(bands, 1, [&](int begin, int end) {
     const int top = first_row + begin * splat_band_rows;
     const int bottom = std::min(first_row + end * splat_band_rows, first_row + row_count);
     auto point = std::ranges::lower_bound(points, std::floor(top - reach), {}, row_of);
     for (; point != points.end() && row_of(*point) < bottom + reach; ++point) {
-      add(*point, projection, regions[static_cast<std::size_t>(point->region)].cell, settings, top, bottom, first_row,
+      add(*point, projection, regions[static_cast<std::size_t>(point->region)].cell, spreads, top, bottom, first_row,
           rgba);
     }
   });

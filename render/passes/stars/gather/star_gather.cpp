@@ -29,7 +29,7 @@ double signed_solid_angle(const Vector3<double>& a, const Vector3<double>& b, co
 
 //! Indices of a pixel's corners: top left, top right, bottom right, bottom left. `halves` divides
 //! the pixel into two triangles.
-using Quad = std::array<int, 4>;
+using CornerIndices = std::array<int, 4>;
 constexpr std::size_t halves[2][3] = {{0, 1, 2}, {0, 2, 3}};
 constexpr int right_of[4] = {0, 1, 1, 0};
 constexpr int below[4] = {0, 0, 1, 1};
@@ -51,7 +51,7 @@ class Gatherer {
       if (!(image_coverage(projection_, x + 0.5, y + 0.5) > 0.0)) {
         continue;
       }
-      Quad quad{};
+      CornerIndices quad{};
       for (std::size_t i = 0; i < 4; ++i) {
         quad[i] = corners_.number(y + below[i], x + right_of[i]);
       }
@@ -67,7 +67,7 @@ class Gatherer {
 
  private:
   //! Finds the stars that may lie in a polygon. Returns false if the polygon is too wide.
-  bool search(const Quad& quad, std::vector<int>& found) const {
+  bool search(const CornerIndices& quad, std::vector<int>& found) const {
     Vector3<double> middle{};
     for (const int corner : quad) {
       middle = middle + corners_[corner].sky;
@@ -102,7 +102,7 @@ class Gatherer {
   //! Returns whether a triangle of the polygon contains a star, which must be on the triangle's
   //! side of the sky, as those found by search() are. The triangle may be mirrored. `weights`:
   //! barycentric weights of its corners, not normalized.
-  [[nodiscard]] bool holds(const Quad& quad, const std::size_t (&half)[3], const Vector3<double>& star,
+  [[nodiscard]] bool holds(const CornerIndices& quad, const std::size_t (&half)[3], const Vector3<double>& star,
                            double (&weights)[3]) const {
     const bool first = is_left(star, quad[half[0]], quad[half[1]], weights[2]);
     const bool second = is_left(star, quad[half[1]], quad[half[2]], weights[0]);
@@ -122,7 +122,7 @@ class Gatherer {
     return -1;
   }
 
-  void gather_pixel(int x, int y, const Quad& quad, const std::vector<int>& near,
+  void gather_pixel(int x, int y, const CornerIndices& quad, const std::vector<int>& near,
                     std::vector<GatheredStar>& into) const;
   bool shine(GatheredStar& gathered) const;
 
@@ -134,7 +134,7 @@ class Gatherer {
   const CornerRows& corners_;
 };
 
-void Gatherer::gather_pixel(int x, int y, const Quad& quad, const std::vector<int>& near,
+void Gatherer::gather_pixel(int x, int y, const CornerIndices& quad, const std::vector<int>& near,
                             std::vector<GatheredStar>& into) const {
   Vector3<double> view[4];
   double g = 0.0;

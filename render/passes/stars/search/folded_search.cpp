@@ -25,12 +25,13 @@ void FoldedSearch::Parts::reserve(int more) {
     return;
   }
   const int room = std::max(needed, 2 * parts.room);
-  std::vector<float> larger(static_cast<std::size_t>(part_channels) * static_cast<std::size_t>(room));
+  auto larger =
+      std::make_unique_for_overwrite<float[]>(static_cast<std::size_t>(part_channels) * static_cast<std::size_t>(room));
   for (std::ptrdiff_t channel = 0; channel < part_channels; ++channel) {
-    std::copy_n(memory.begin() + channel * parts.room, parts.count, larger.begin() + channel * room);
+    std::copy_n(memory.get() + channel * parts.room, parts.count, larger.get() + channel * room);
   }
   memory = std::move(larger);
-  parts.at = memory.data();
+  parts.at = memory.get();
   parts.room = room;
 }
 

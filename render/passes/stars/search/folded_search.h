@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -24,7 +25,7 @@ class FoldedSearch {
  private:
   //! A list of patch parts with its memory.
   struct Parts {
-    std::vector<float> memory;
+    std::unique_ptr<float[]> memory;
     SeenParts parts{};
 
     //! Makes room for `more` additional parts.

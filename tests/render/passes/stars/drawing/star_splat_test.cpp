@@ -92,6 +92,31 @@ TEST(StarSplat, SpotsReachNoFartherThanTheyMayInTheFinestPictures) {
   EXPECT_GT(scaled_to({100.0, 1.0F}, narrow).reach_px(), 1000.0);
 }
 
+TEST(StarSplat, PartsOfPointsAreIntegralsOfTheGaussian) {
+  PointSpread spread;
+  for (const double sigma_px : {0.01, 0.1, 0.37, 1.0, 7.0, 300.0}) {
+    for (const double reach_px : {0.5 * sigma_px, 3.0 * sigma_px, 3.99 * sigma_px}) {
+      const PointSpreads spreads(sigma_px, std::min(reach_px, widest_splat_px - 1.0));
+      const double reach = std::min(reach_px, widest_splat_px - 1.0);
+      const double narrower = 1.0 / (sigma_px * std::sqrt(2.0));
+      for (int i = 0; i <= 97; ++i) {
+        const double middle_px = 40.0 + i / 97.0;
+        spreads.spread(middle_px, spread);
+        ASSERT_EQ(spread.first, std::floor(middle_px - reach));
+        ASSERT_EQ(spread.count, std::floor(middle_px + reach) - spread.first + 1);
+        const auto before = [&](int pixel) {
+          return std::erf(std::clamp(pixel - middle_px, -reach, reach) * narrower) / std::erf(reach * narrower);
+        };
+        for (int pixel = 0; pixel < spread.count; ++pixel) {
+          const int x = spread.first + pixel;
+          EXPECT_NEAR(spread.part.at(static_cast<std::size_t>(pixel)), 0.5 * (before(x + 1) - before(x)), 2e-6)
+              << sigma_px << " " << reach << " " << i << " " << pixel;
+        }
+      }
+    }
+  }
+}
+
 TEST(StarSplat, SpotsEndAtTheirCutOff) {
   SplatSettings settings{0.5, 1.0F};
   settings.cutoff_px = 0.4;
