@@ -100,3 +100,5 @@ void return_large_block(void* memory, std::size_t bytes) noexcept {
 std::size_t cached_large_blocks() { return block_cache().count(); }
 
 }  // namespace ergodome
+
+template class std::vector<float, ergodome::UnfilledAllocator<float>>;

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
+#include "kernels/core/pack.h"
 #include "kernels/image/color_map.h"
 #include "kernels/launch/parallel_for.h"
 #include "kernels/launch/work_counter.h"
@@ -41,8 +44,19 @@ class ChannelTone {
                    : tone_.curve == ToneCurve::shoulder ? tone_knee
                                                         : 0.0F) {}
 
+  //! Computes the display light of a pixel's colors if all are in the linear part of the curve, as most are; black for
+  //! NaN. Otherwise returns false.
+  bool is_linear(const float* rgba, Pack<float, 4>& shown) const {
+    Pack<float, 4> gained;
+    std::memcpy(&gained, rgba, sizeof gained);
+    gained = gained * gain_;
+    set_lane(gained, 3, 0.0F);
+    const Pack<float, 4> black(0.0F);
+    shown = minimum(select(gained > black, gained, black), Pack<float, 4>(1.0F));
+    return !any(gained > Pack<float, 4>(linear_to_));
+  }
+
   float operator()(float light) const {
-    // Most light is in the linear part of the curve, or black.
     const float gained = gain_ * light;
     if (gained <= linear_to_) {
       return gained > 0.0F ? gained : 0.0F;
@@ -59,33 +73,55 @@ class ChannelTone {
   float linear_to_;  //!< gained light up to which the curve is the identity
 };
 
-//! Computes values of pixels by applying `encoded` to the display light of the three colors. A
-//! fourth channel has the largest value.
-template <class Value, std::size_t channels = 3, class Encode>
-std::vector<Value> display_values(const Picture& picture, const Encode& encoded) {
-  std::vector<Value> values(channels * static_cast<std::size_t>(picture.width) *
-                            static_cast<std::size_t>(picture.height));
-  const ChannelTone display_light(picture);
+//! Computes values of pixels: encode(rgba, to) writes those of a pixel.
+template <class Value, class Encode>
+std::vector<Value> display_values(const Picture& picture, std::size_t channels, const Encode& encode) {
+  const auto width = static_cast<std::size_t>(picture.width);
+  std::vector<Value> values(channels * width * static_cast<std::size_t>(picture.height));
   parallel_for(picture.height, 16, [&](int begin, int end) {
-    for (std::size_t i = static_cast<std::size_t>(begin) * static_cast<std::size_t>(picture.width);
-         i < static_cast<std::size_t>(end) * static_cast<std::size_t>(picture.width); ++i) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        values[channels * i + c] = encoded(display_light(picture.rgba[4 * i + c]));
-      }
-      if constexpr (channels == 4) {
-        values[channels * i + 3] = std::numeric_limits<Value>::max();
-      }
+    const Encode encode_pixel = encode;
+    for (std::size_t i = static_cast<std::size_t>(begin) * width; i < static_cast<std::size_t>(end) * width; ++i) {
+      encode_pixel(picture.rgba.data() + 4 * i, values.data() + channels * i);
     }
   });
   return values;
 }
 
-//! Computes sRGB bytes of pixels.
+//! The four channels of a pixel.
+using Channels = Pack<float, 4>;
+
+//! Returns the entries of encoding_table() for the colors of a pixel.
+std::array<std::uint32_t, 4> table_entries(const ChannelTone& tone, const float* rgba) {
+  Channels shown;
+  if (!tone.is_linear(rgba, shown)) {
+    for (int c = 0; c < 3; ++c) {
+      set_lane(shown, c, tone(rgba[c]));
+    }
+  }
+  // Adding 1.5 * 2^23 rounds to integers, in the last bits of the float.
+  constexpr float integers_from = 12'582'912.0F;
+  const Channels rounded = shown * (encoding_table_size - 1.0F) + integers_from;
+  std::array<std::uint32_t, 4> entries;
+  std::memcpy(entries.data(), &rounded, sizeof entries);
+  for (std::uint32_t& entry : entries) {
+    entry -= std::bit_cast<std::uint32_t>(integers_from);
+  }
+  return entries;
+}
+
+//! Computes sRGB bytes of pixels; a fourth channel has the largest value.
 template <std::size_t channels>
 std::vector<std::uint8_t> display_bytes(const Picture& picture) {
-  const auto& table = encoding_table();
-  return display_values<std::uint8_t, channels>(picture, [&table](float light) {
-    return table[static_cast<std::size_t>(std::lrint(light * (encoding_table_size - 1)))];
+  const std::uint8_t* const table = encoding_table().data();
+  const ChannelTone tone(picture);
+  return display_values<std::uint8_t>(picture, channels, [table, tone](const float* rgba, std::uint8_t* to) {
+    const std::array<std::uint32_t, 4> entries = table_entries(tone, rgba);
+    for (std::size_t c = 0; c < 3; ++c) {
+      to[c] = table[entries[c]];
+    }
+    if constexpr (channels == 4) {
+      to[3] = std::numeric_limits<std::uint8_t>::max();
+    }
   });
 }
 
@@ -96,8 +132,11 @@ std::vector<std::uint8_t> tone_mapped(const Picture& picture) { return display_b
 std::vector<std::uint8_t> tone_mapped_rgba(const Picture& picture) { return display_bytes<4>(picture); }
 
 std::vector<std::uint16_t> tone_mapped_finely(const Picture& picture) {
-  return display_values<std::uint16_t>(picture, [](float light) {
-    return static_cast<std::uint16_t>(std::lrint(65535.0F * std::min(srgb_encoded(light), 1.0F)));
+  const ChannelTone tone(picture);
+  return display_values<std::uint16_t>(picture, 3, [tone](const float* rgba, std::uint16_t* to) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      to[c] = static_cast<std::uint16_t>(std::lrint(65535.0F * std::min(srgb_encoded(tone(rgba[c])), 1.0F)));
+    }
   });
 }
 
