@@ -13,8 +13,8 @@ namespace ergodome {
 
 namespace {
 
-//! How numbers of a type are written: with so many digits that they identify a number. Between `smallest` and `largest`,
-//! the digits follow from one exact product.
+//! Format of the numbers of a type: enough digits to identify each number. From `smallest` to `largest`, one exact product of
+//! integers yields all digits.
 template <class Real>
 struct Writing;
 
@@ -46,8 +46,8 @@ constexpr auto powers_of_five = [] {
 }();
 
 constexpr int first_power_of_ten = -9;
-//! No double or float that is written is between one of these numbers and the exact power of ten, so comparing with them
-//! yields the decimal exponent.
+//! Powers of ten, rounded to double. Comparing with them yields the decimal exponent, because no number to be written lies
+//! between a power and its rounded value.
 constexpr double powers_of_ten[] = {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1e0,  1e1,  1e2, 1e3,
                                     1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
@@ -66,13 +66,13 @@ void write_eight_digits(char* to, std::uint32_t number) {
   }
 }
 
-//! A positive number as digits, with a decimal point after the first, times 10^exponent.
+//! A positive number d.ddd... * 10^exponent; `digits` are its digits without the point.
 struct Decimal {
   std::uint64_t digits;
   int exponent;
 };
 
-//! Rounds a number from Writing::smallest to Writing::largest to Writing::digit_count digits.
+//! Rounds a number to Writing::digit_count digits. The number is in [smallest, largest).
 template <class Real>
 Decimal decimal_of(Real number) {
   using Product = typename Writing<Real>::Product;

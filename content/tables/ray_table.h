@@ -28,7 +28,7 @@ struct RayCamera {
 struct RayRow {
   Vector3<double> direction{};  //!< unit vector in the observer's frame (e_r, e_θ, e_φ)
   std::uint32_t camera = 0;     //!< index of its camera in RayTable::cameras
-  std::uint32_t number = 0;     //!< index of its line in the file, from 0 for the line after the header
+  std::uint32_t number = 0;     //!< index of the row in the file, from 0; empty lines do not count
 };
 
 using RayRows = LargeVector<RayRow>;
@@ -38,8 +38,8 @@ using LargeText = std::basic_string<char, std::char_traits<char>, LargeAllocator
 struct RayTable {
   std::vector<RayCamera> cameras;
   RayRows rows;
-  LargeText ids;                     //!< the ids of all lines; empty if the file has no such column
-  LargeVector<std::size_t> id_ends;  //!< end of each line's id in `ids`
+  LargeText ids;                     //!< the ids of all rows, one after the other; empty if the file has no such column
+  LargeVector<std::size_t> id_ends;  //!< end of each row's id in `ids`
 
   [[nodiscard]] const RayCamera& camera_of(const RayRow& row) const { return cameras[row.camera]; }
 

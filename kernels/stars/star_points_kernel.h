@@ -39,7 +39,7 @@ void dispatch(const StarPointBatch& batch, const Action& action) {
   action(PlaceImage{batch});
 }
 
-//! Lights up points. Index i covers points i * lanes to (i + 1) * lanes - 1.
+//! Converts the illuminance of points to picture values. Index i covers points i * lanes to (i + 1) * lanes - 1.
 template <class T>
 struct LightPoints {
   static constexpr int lanes = RealTraits<T>::lane_count;

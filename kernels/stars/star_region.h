@@ -35,7 +35,7 @@ struct StarPointBatch {
   int count;                //!< number of images
 };
 
-//! Lights up points of a region (light_up()), which lie in host memory.
+//! Converts the illuminance of a region's points to picture values (light_up()). The points are in host memory.
 struct PointLightBatch {
   StarRegion region;
   StarPoint* points;
@@ -54,8 +54,8 @@ ERGO_HD bool project_to_screen(const Vector3<float>& n, const double (&frame_fro
   return pixel_from_direction(projection, {along(0), along(1), along(2)}, x, y);
 }
 
-//! Computes the point for light of the given illuminance [lx] at position (x, y) of a region [px], not yet lit up.
-//! Returns false if none of the light may reach the picture.
+//! Computes the point for light of the given illuminance [lx] at position (x, y) of a region [px]. Its `light` and `spikes`
+//! are illuminances until light_up() converts them. Returns false if none of the light may reach the picture.
 ERGO_HD bool point_in_region(const StarRegion& region, double x, double y, const Vector3<float>& illuminance,
                              bool has_spikes, StarPoint& point) {
   const Projection& projection = region.projection;

@@ -71,5 +71,6 @@ using PixelValues = std::vector<float, UnfilledAllocator<float>>;
 
 }  // namespace ergodome
 
-// Compiled in one place: without optimization, destroying the values of a picture one by one took a millisecond.
+// Instantiated only in cached_memory.cpp, which is compiled with optimization. Unoptimized copies destroy the values one by
+// one, which took 1.5 ms a picture.
 extern template class std::vector<float, ergodome::UnfilledAllocator<float>>;

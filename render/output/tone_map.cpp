@@ -44,8 +44,8 @@ class ChannelTone {
                    : tone_.curve == ToneCurve::shoulder ? tone_knee
                                                         : 0.0F) {}
 
-  //! Computes the display light of a pixel's colors if all are in the linear part of the curve, as most are; black for
-  //! NaN. Otherwise returns false.
+  //! Computes the display light of a pixel; NaN becomes black. Returns true if all three colors are in the linear part of
+  //! the curve, as most are; otherwise `shown` is not valid.
   bool is_linear(const float* rgba, Pack<float, 4>& shown) const {
     Pack<float, 4> gained;
     std::memcpy(&gained, rgba, sizeof gained);
@@ -90,8 +90,8 @@ std::vector<Value> display_values(const Picture& picture, std::size_t channels, 
 //! The four channels of a pixel.
 using Channels = Pack<float, 4>;
 
-//! Returns the entries of encoding_table() for the colors of a pixel.
-std::array<std::uint32_t, 4> table_entries(const ChannelTone& tone, const float* rgba) {
+//! Returns the indices into encoding_table() for the three colors of a pixel; the fourth number is unused.
+std::array<std::uint32_t, 4> table_indices(const ChannelTone& tone, const float* rgba) {
   Channels shown;
   if (!tone.is_linear(rgba, shown)) {
     for (int c = 0; c < 3; ++c) {
@@ -101,12 +101,12 @@ std::array<std::uint32_t, 4> table_entries(const ChannelTone& tone, const float*
   // Adding 1.5 * 2^23 rounds to integers, in the last bits of the float.
   constexpr float integers_from = 12'582'912.0F;
   const Channels rounded = shown * (encoding_table_size - 1.0F) + integers_from;
-  std::array<std::uint32_t, 4> entries;
-  std::memcpy(entries.data(), &rounded, sizeof entries);
-  for (std::uint32_t& entry : entries) {
-    entry -= std::bit_cast<std::uint32_t>(integers_from);
+  std::array<std::uint32_t, 4> indices;
+  std::memcpy(indices.data(), &rounded, sizeof indices);
+  for (std::uint32_t& index : indices) {
+    index -= std::bit_cast<std::uint32_t>(integers_from);
   }
-  return entries;
+  return indices;
 }
 
 //! Computes sRGB bytes of pixels; a fourth channel has the largest value.
@@ -115,9 +115,9 @@ std::vector<std::uint8_t> display_bytes(const Picture& picture) {
   const std::uint8_t* const table = encoding_table().data();
   const ChannelTone tone(picture);
   return display_values<std::uint8_t>(picture, channels, [table, tone](const float* rgba, std::uint8_t* to) {
-    const std::array<std::uint32_t, 4> entries = table_entries(tone, rgba);
+    const std::array<std::uint32_t, 4> indices = table_indices(tone, rgba);
     for (std::size_t c = 0; c < 3; ++c) {
-      to[c] = table[entries[c]];
+      to[c] = table[indices[c]];
     }
     if constexpr (channels == 4) {
       to[3] = std::numeric_limits<std::uint8_t>::max();

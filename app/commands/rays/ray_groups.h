@@ -8,8 +8,8 @@
 
 namespace ergodome {
 
-//! Groups the rows of a table by camera, and makes those of a group refer to one camera. The groups are in the order of
-//! their first rows. Returns true if the rows keep their order.
+//! Sorts the rows of a table by camera; groups keep the order of their first rows. Rows with equal cameras then share one
+//! index. Returns true if the order did not change.
 bool group_by_camera(RayTable& table);
 
 //! A table as text: a header line and the lines of its rows.
@@ -19,7 +19,7 @@ struct TableText {
 };
 
 //! Returns the text of a table with one line for each grouped row, in the original order of the
-//! rows.
+//! rows. Returns the text unchanged if the lines were already passed on (`begins` is empty).
 LargeText text_in_order(TableText table, const RayRows& rows);
 
 //! Returns the position and the motion of a camera, for kernels.

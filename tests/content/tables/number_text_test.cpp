@@ -50,7 +50,7 @@ TEST(NumberText, IsThatOfFmtForNumbersWithFewDigits) {
     expect_text_of_fmt(static_cast<float>(numerator(random)));
     expect_text_of_fmt(numerator(random) / 1000.0);
     expect_text_of_fmt(static_cast<float>(numerator(random)) / 1000.0F);
-    const double tie = std::ldexp(numerator(random), -power(random));  // of the last digit
+    const double tie = std::ldexp(numerator(random), -power(random));  // may lie halfway between two decimals
     expect_text_of_fmt(tie);
     expect_text_of_fmt(static_cast<float>(tie));
   }

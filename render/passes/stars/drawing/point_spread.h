@@ -24,7 +24,7 @@ struct PointSpread {
 };
 
 //! A Gaussian with a given sigma [px], truncated at `reach_px` to both sides. Tabulates its integral, because a picture
-//! has thousands of points with the same Gaussian; fractions are accurate to 1e-6.
+//! has thousands of points with the same Gaussian; fractions are accurate to 2e-6.
 class PointSpreads {
  public:
   //! With a sigma of 0, all light falls on the pixel that contains the center. Other sigmas are at least 0.01 px.
@@ -35,10 +35,10 @@ class PointSpreads {
 
  private:
   double reach_px_;
-  int steps_a_px_ = 0;       //!< number of table rows per pixel, 0 without a table
-  std::size_t columns_ = 0;  //!< number of edges between the pixels that a point may reach
-  //! For the position of the first edge, in steps from the beginning of the Gaussian: the fraction of the light before
-  //! each edge, then how that changes per step.
+  int steps_a_px_ = 0;       //!< number of steps per pixel; 0 for a sigma of 0
+  std::size_t columns_ = 0;  //!< maximum number of pixel edges inside the Gaussian
+  //! One row per step of the distance of the first pixel edge from the start of the Gaussian. A row has, for each edge, the
+  //! fraction of the light before it, and then, for each edge, the change of that per step.
   std::vector<float> table_;
 };
 
