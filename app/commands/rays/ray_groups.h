@@ -5,6 +5,7 @@
 
 #include "content/tables/ray_table.h"
 #include "kernels/launch/large_memory.h"
+#include "kernels/spacetime/kerr/camera_station.h"
 
 namespace ergodome {
 
