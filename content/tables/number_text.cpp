@@ -123,9 +123,10 @@ char* write_decimal(char* to, const Decimal& number) {
     to[1] = '.';
     std::memcpy(to + 2, digits + 1, digit_count - 1);
     char* const end = to + (count > 1 ? count + 1 : 1);
-    std::memcpy(end, "e-0", 3);
-    end[3] = static_cast<char>('0' - number.exponent);
-    return end + 4;
+    constexpr char power[] = {'e', '-', '0'};
+    std::memcpy(end, power, sizeof power);
+    end[sizeof power] = static_cast<char>('0' - number.exponent);
+    return end + sizeof power + 1;
   }
   if (number.exponent < 0) {
     constexpr char zeros[] = {'0', '.', '0', '0', '0'};

@@ -101,4 +101,5 @@ std::size_t cached_large_blocks() { return block_cache().count(); }
 
 }  // namespace ergodome
 
+// NOLINTNEXTLINE(bugprone-std-namespace-modification): the standard allows this for a type of one's own
 template class std::vector<float, ergodome::UnfilledAllocator<float>>;

@@ -73,4 +73,5 @@ using PixelValues = std::vector<float, UnfilledAllocator<float>>;
 
 // Instantiated only in cached_memory.cpp, which is compiled with optimization. Unoptimized copies destroy the values one by
 // one, which took 1.5 ms a picture.
+// NOLINTNEXTLINE(bugprone-std-namespace-modification): the standard allows this for a type of one's own
 extern template class std::vector<float, ergodome::UnfilledAllocator<float>>;
