@@ -14,19 +14,26 @@ namespace ergodome {
 namespace {
 
 //! Expects the text that fmt writes for a number and its negative.
-void expect_text_of_fmt(double value) {
-  for (const double number : {value, -value}) {
+template <class Real>
+void expect_text_of_fmt(Real value) {
+  constexpr int digits = std::numeric_limits<Real>::max_digits10;
+  for (const Real number : {value, -value}) {
     std::string text;
     append_number(text, number);
-    ASSERT_EQ(text, fmt::format("{:.17g}", number));
+    ASSERT_EQ(text, fmt::format("{:.{}g}", static_cast<double>(number), digits));
   }
 }
 
-void expect_text_of_fmt(float value) {
-  for (const float number : {value, -value}) {
-    std::string text;
-    append_number(text, number);
-    ASSERT_EQ(text, fmt::format("{:.9g}", static_cast<double>(number)));
+//! Expects the text of fmt for a number and its ten neighbors on both sides.
+template <class Real>
+void expect_text_of_fmt_around(Real number) {
+  Real below = number;
+  Real above = number;
+  for (int i = 0; i < 10; ++i) {
+    expect_text_of_fmt(below);
+    expect_text_of_fmt(above);
+    below = std::nextafter(below, Real{0});
+    above = std::nextafter(above, std::numeric_limits<Real>::max());
   }
 }
 
@@ -58,22 +65,8 @@ TEST(NumberText, IsThatOfFmtForNumbersWithFewDigits) {
 
 TEST(NumberText, IsThatOfFmtNextToPowersOfTen) {
   for (int power = -20; power <= 20; ++power) {
-    double below = std::pow(10.0, power);
-    double above = below;
-    for (int i = 0; i < 10; ++i) {
-      expect_text_of_fmt(below);
-      expect_text_of_fmt(above);
-      below = std::nextafter(below, 0.0);
-      above = std::nextafter(above, 1e300);
-    }
-    float float_below = std::pow(10.0F, static_cast<float>(power));
-    float float_above = float_below;
-    for (int i = 0; i < 10; ++i) {
-      expect_text_of_fmt(float_below);
-      expect_text_of_fmt(float_above);
-      float_below = std::nextafter(float_below, 0.0F);
-      float_above = std::nextafter(float_above, 1e30F);
-    }
+    expect_text_of_fmt_around(std::pow(10.0, power));
+    expect_text_of_fmt_around(std::pow(10.0F, static_cast<float>(power)));
   }
 }
 

@@ -95,9 +95,9 @@ TEST(StarSplat, SpotsReachNoFartherThanTheyMayInTheFinestPictures) {
 TEST(StarSplat, PartsOfPointsAreIntegralsOfTheGaussian) {
   PointSpread spread;
   for (const double sigma_px : {0.01, 0.1, 0.37, 1.0, 7.0, 300.0}) {
-    for (const double reach_px : {0.5 * sigma_px, 3.0 * sigma_px, 3.99 * sigma_px}) {
-      const PointSpreads spreads(sigma_px, std::min(reach_px, widest_splat_px - 1.0));
-      const double reach = std::min(reach_px, widest_splat_px - 1.0);
+    for (const double sigmas : {0.5, 3.0, 3.99}) {
+      const double reach = std::min(sigmas * sigma_px, widest_splat_px - 1.0);
+      const PointSpreads spreads(sigma_px, reach);
       const double narrower = 1.0 / (sigma_px * std::sqrt(2.0));
       for (int i = 0; i <= 97; ++i) {
         const double middle_px = 40.0 + i / 97.0;
