@@ -1,10 +1,23 @@
 #pragma once
 
+#include <cstdint>
+#include <cstring>
+
 #include "kernels/core/host_device.h"
+#if defined(__F16C__) && !defined(__CUDACC__)
+#include <immintrin.h>
+#endif
 
 // Four floats that are loaded, weighted and added together: a texel, or four of the floats in a
 // grid's node. Pointers that are loaded from or stored to must be 16-byte aligned.
-namespace ergodome::inline ERGO_TARGET {
+namespace ergodome {
+
+//! A quad in half the memory: four IEEE half floats.
+struct alignas(8) HalfQuad {
+  std::uint16_t part[4];
+};
+
+inline namespace ERGO_TARGET {
 
 #if defined(__CUDACC__)
 struct Quad {
@@ -39,4 +52,29 @@ ERGO_HD Quad operator+(const Quad& a, const Quad& b) { return {a.part + b.part};
 ERGO_HD Quad operator*(float s, const Quad& a) { return {s * a.part}; }
 #endif
 
-}  // namespace ergodome::inline ERGO_TARGET
+//! Returns the value of a finite IEEE half float.
+ERGO_HD float half_value(std::uint16_t half) {
+  float value = 0.0F;
+#if defined(__CUDA_ARCH__)
+  asm("cvt.f32.f16 %0, %1;" : "=f"(value) : "h"(half));
+#else
+  // Shifted, the exponent is that of a float, but for the difference between their biases.
+  const std::uint32_t bits = (half & 0x7fffU) << 13U;
+  std::memcpy(&value, &bits, sizeof value);
+  value *= (half & 0x8000U) != 0 ? -0x1p112F : 0x1p112F;
+#endif
+  return value;
+}
+
+ERGO_HD Quad load_quad(const HalfQuad* from) {
+#if defined(__F16C__) && !defined(__CUDACC__)
+  return {static_cast<Quad::Register>(_mm_cvtph_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from))))};
+#else
+  const HalfQuad half = *from;
+  return quad_from(half_value(half.part[0]), half_value(half.part[1]), half_value(half.part[2]),
+                   half_value(half.part[3]));
+#endif
+}
+
+}  // namespace ERGO_TARGET
+}  // namespace ergodome

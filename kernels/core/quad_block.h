@@ -92,9 +92,8 @@ class LaneWeights {
 #endif
   }
 
-  //! Adds two adjacent quads at `first` and two at `second`, times the weights of a lane. Quads must
-  //! be 16-byte aligned.
-  void add(QuadBlock& sum, int i, const float* first, const float* second) const {
+  //! Adds two adjacent quads at `first` and two at `second`, times the weights of a lane.
+  void add(QuadBlock& sum, int i, const HalfQuad* first, const HalfQuad* second) const {
 #if defined(__AVX512F__)
     // Uses the variants of intrinsics with masks, because GCC 12 warns about the others.
     const __mmask16 all = 0xffff;
@@ -103,7 +102,7 @@ class LaneWeights {
                                            part + 2, part + 2, part + 2, part + 3, part + 3, part + 3, part + 3);
     const __m512 factors = _mm512_maskz_permutexvar_ps(all, from, static_cast<__m512>(rows_[i % 4].lanes));
     const __m512 quads =
-        _mm512_maskz_insertf32x8(all, _mm512_castps256_ps512(_mm256_loadu_ps(first)), _mm256_loadu_ps(second), 1);
+        _mm512_maskz_cvtph_ps(all, _mm256_inserti128_si256(_mm256_castsi128_si256(pair(first)), pair(second), 1));
     sum.quads = _mm512_fmadd_ps(factors, quads, sum.quads);
 #elif defined(__AVX2__)
     const __m256 row = static_cast<__m256>(rows_[i % 4].lanes);
@@ -112,20 +111,25 @@ class LaneWeights {
         row, _mm256_setr_epi32(part, part, part, part, part + 1, part + 1, part + 1, part + 1));
     const __m256 of_second = _mm256_permutevar8x32_ps(
         row, _mm256_setr_epi32(part + 2, part + 2, part + 2, part + 2, part + 3, part + 3, part + 3, part + 3));
-    sum.pairs[0] = _mm256_fmadd_ps(of_first, _mm256_loadu_ps(first), sum.pairs[0]);
-    sum.pairs[1] = _mm256_fmadd_ps(of_second, _mm256_loadu_ps(second), sum.pairs[1]);
+    sum.pairs[0] = _mm256_fmadd_ps(of_first, _mm256_cvtph_ps(pair(first)), sum.pairs[0]);
+    sum.pairs[1] = _mm256_fmadd_ps(of_second, _mm256_cvtph_ps(pair(second)), sum.pairs[1]);
 #else
     const T& row = rows_[i % 4];
     const int part = i / 4 * 4;
     sum.quads[0] = sum.quads[0] + lane(row, part) * load_quad(first);
-    sum.quads[1] = sum.quads[1] + lane(row, part + 1) * load_quad(first + 4);
+    sum.quads[1] = sum.quads[1] + lane(row, part + 1) * load_quad(first + 1);
     sum.quads[2] = sum.quads[2] + lane(row, part + 2) * load_quad(second);
-    sum.quads[3] = sum.quads[3] + lane(row, part + 3) * load_quad(second + 4);
+    sum.quads[3] = sum.quads[3] + lane(row, part + 3) * load_quad(second + 1);
 #endif
   }
 
  private:
   static constexpr int lanes = RealTraits<T>::lane_count;
+
+#if defined(__F16C__)
+  //! Loads two adjacent quads.
+  static __m128i pair(const HalfQuad* from) { return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from)); }
+#endif
 
 #if defined(__x86_64__)
   template <bool Upper>

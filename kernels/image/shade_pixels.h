@@ -33,7 +33,7 @@ struct ShadeBatch {
   float range_low;
   float range_high;
   //! On output, the color of each pixel. With SkyFilter::polygon, contains each pixel's filtered
-  //! light on input, in the format of cube map texels.
+  //! light on input, with the four numbers that CubeMap describes.
   float* rgba;
   int count;  //!< number of pixels; whole rows
   //! True: the fourth channel is 0 instead of the coverage, and what is drawn over the sky adds its

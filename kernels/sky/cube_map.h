@@ -13,16 +13,21 @@ namespace ergodome {
 
 inline constexpr int cube_level_limit = 16;
 
+//! Middle of the logarithms of the temperatures [K] of texels. Numbers near 0 are more exact.
+inline constexpr float log_reference_temperature = 8.95F;
+
 //! A cube map as kernels read it. Face order: +x, -x, +y, -y, +z, -z.
 //!
-//! For SkyShift::blackbody_fit the fourth float of a texel is its luminance times ln T, where T [K]
-//! is the temperature of the blackbody nearest in color; otherwise it is undefined. After
-//! filtering, dividing it by the filtered luminance yields the luminance-weighted mean of ln T, so
-//! dark texels have no influence.
+//! Texels are half floats, because memory limits the filters. Times `scale`, they are red, green,
+//! blue and a fourth number. For SkyShift::blackbody_fit it is the luminance times
+//! (ln T - log_reference_temperature), where T [K] is the temperature of the blackbody nearest in
+//! color; otherwise it is undefined. After filtering, dividing it by the filtered luminance yields
+//! the luminance-weighted mean of the logarithm, so dark texels have no influence.
 struct CubeMap {
-  //! Four floats per texel, 16-byte aligned: red, green, blue, and the fourth number that CubeMap
-  //! describes.
-  const float* texels;
+  const HalfQuad* texels;
+  //! Power of two for which the largest number is between 16,384 and 32,768. Numbers have 11
+  //! significant bits, and fewer only where light is less than 4e-9 of the brightest.
+  float scale;
   long level_offset[cube_level_limit];  //!< first texel of each level; a level has 6 (size + 2)² texels
   //! Width of a face at level 0, a power of two; level k has face_size >> k.
   int face_size;
@@ -128,9 +133,9 @@ ERGO_HD BilinearPosition<T> bilinear_position(const CubePosition<T>& position, c
 ERGO_HD Quad cube_mean_texel(const CubeMap& map) {
   Quad sum = quad_of(0.0F);
   for (int face = 0; face < 6; ++face) {
-    sum = sum + load_quad(map.texels + 4 * texel_index(map, map.level_count - 1, face, 0, 0));
+    sum = sum + load_quad(map.texels + texel_index(map, map.level_count - 1, face, 0, 0));
   }
-  return (1.0F / 6.0F) * sum;
+  return (map.scale * (1.0F / 6.0F)) * sum;
 }
 
 ERGO_HD Vector3<float> cube_mean(const CubeMap& map) {

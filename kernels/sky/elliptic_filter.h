@@ -168,10 +168,10 @@ ERGO_HD void add_look_up(const CubeMap& map, const LevelLanes<float>& level, con
   const BilinearPosition<float> at = bilinear_position(position, level.size);
   const float lower = weight * at.lower;
   const float upper = weight - lower;
-  const float* const top = map.texels + 4L * (level.first_texel + at.texel);
-  const float* const bottom = top + 4L * (truncated(level.size) + 2);
+  const HalfQuad* const top = map.texels + (level.first_texel + at.texel);
+  const HalfQuad* const bottom = top + (truncated(level.size) + 2);
   const Quad left_pair = upper * load_quad(top) + lower * load_quad(bottom);
-  const Quad right_pair = upper * load_quad(top + 4) + lower * load_quad(bottom + 4);
+  const Quad right_pair = upper * load_quad(top + 1) + lower * load_quad(bottom + 1);
   sum = sum + (1.0F - at.right) * left_pair + at.right * right_pair;
 }
 
@@ -182,7 +182,7 @@ template <class T, int Limit>
 class StoredLookUps {
  public:
   StoredLookUps(const CubeMap& map, const LevelLanes<T>& level) : texels_(map.texels), level_(level) {
-    const IntegerOf<T> row = (truncated(level.size) + 2) * 4;
+    const IntegerOf<T> row = truncated(level.size) + 2;
     std::memcpy(row_, &row, sizeof row_);
   }
 
@@ -194,13 +194,13 @@ class StoredLookUps {
     const T upper_right = upper * at.right;
     const T lower_right = lower * at.right;
     weights_[k] = LaneWeights<T>(upper - upper_right, upper_right, lower - lower_right, lower_right);
-    const IntegerOf<T> first = (level_.first_texel + at.texel) * 4;
+    const IntegerOf<T> first = level_.first_texel + at.texel;
     std::memcpy(first_[k], &first, sizeof first_[k]);
     // A large map does not fit into the nearest caches. Lanes without a look-up may ask for any address, which is
     // harmless.
     ERGO_UNROLL
     for (int i = 0; i < lanes; ++i) {
-      const float* const texel = texels_ + first_[k][i];
+      const HalfQuad* const texel = texels_ + first_[k][i];
       __builtin_prefetch(texel);
       __builtin_prefetch(texel + row_[i]);
     }
@@ -208,8 +208,8 @@ class StoredLookUps {
 
   //! Adds the first `count` look-ups of a lane to a sum.
   void add(QuadBlock& sum, int i, int count) const {
-    const float* const upper = texels_;
-    const float* const lower = texels_ + row_[i];
+    const HalfQuad* const upper = texels_;
+    const HalfQuad* const lower = texels_ + row_[i];
     // Unrolled for each lane, this would be more code than the processor can keep decoded.
 #pragma GCC unroll 1
     for (int k = 0; k < count; ++k) {
@@ -221,10 +221,10 @@ class StoredLookUps {
  private:
   static constexpr int lanes = RealTraits<T>::lane_count;
 
-  const float* texels_;
+  const HalfQuad* texels_;
   LevelLanes<T> level_;
-  std::uint32_t row_[lanes];           //!< floats from a texel to its lower neighbor
-  std::uint32_t first_[Limit][lanes];  //!< first float of the upper left texel; its right neighbor follows
+  std::uint32_t row_[lanes];           //!< texels from a texel to its lower neighbor
+  std::uint32_t first_[Limit][lanes];  //!< the upper left texel; its right neighbor follows
   LaneWeights<T> weights_[Limit];
 };
 #endif
@@ -265,7 +265,7 @@ ERGO_HD void add_line(const CubeMap& map, const ProbeLine<T>& line, const Vector
         add_look_up(map, coarse, position, weight * coarse_part, light);
       }
     }
-    sum.pixel[0] = factor / maximum(weights, 1e-37F) * light;
+    sum.pixel[0] = factor * map.scale / maximum(weights, 1e-37F) * light;
   } else {
 #if !defined(__CUDACC__)
     StoredLookUps<T, probe_limit> in_fine(map, fine);
@@ -283,7 +283,7 @@ ERGO_HD void add_line(const CubeMap& map, const ProbeLine<T>& line, const Vector
       }
       ++stored;
     }
-    const T scale = factor / maximum(weights, T(1e-37F));
+    const T scale = factor * map.scale / maximum(weights, T(1e-37F));
     const IntegerOf<T> whole = truncated(count);
     std::int32_t counts[lanes];
     std::memcpy(counts, &whole, sizeof counts);
@@ -344,7 +344,7 @@ ERGO_HD SkyLight<T> sample_sky(const CubeMap& map, const Vector3<T>& direction, 
   const T zero(0.0F);
   const auto known = dot(direction, direction) > T(0.5F);
   SkyLight<T> light = detail::no_light<T>();
-  const T seen = select(known, factor, zero);
+  const T seen = select(known, factor * map.scale, zero);
   if (any(seen > zero)) {
     const Vector3<T> towards = {select(known, direction.x, T(1.0F)), direction.y, direction.z};
     const CubePosition<T> position = cube_position(towards);

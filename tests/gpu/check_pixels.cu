@@ -1,3 +1,5 @@
+#include <cuda_fp16.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -13,8 +15,9 @@ namespace {
 
 //! Returns a cube map with a smooth pattern. Unlike in the program, the borders of its faces do not
 //! contain texels of adjacent faces; this does not matter when CPU and GPU are compared.
-CubeMap patterned_cube(Twin<float>& texels, int face_size) {
+CubeMap patterned_cube(Twin<HalfQuad>& texels, int face_size) {
   CubeMap map{};
+  map.scale = 0.5F;
   map.face_size = face_size;
   long offset = 0;
   for (int size = face_size; size >= 1; size /= 2) {
@@ -22,7 +25,10 @@ CubeMap patterned_cube(Twin<float>& texels, int face_size) {
     offset += 6L * (size + 2) * (size + 2);
   }
   for (std::size_t i = 0; i < texels.host.size(); ++i) {
-    texels.host[i] = 0.5F + 0.5F * std::sin(0.01F * static_cast<float>(i % 100'000));
+    for (std::size_t j = 0; j < 4; ++j) {
+      texels.host[i].part[j] =
+          __half_as_ushort(__float2half(1.0F + std::sin(0.01F * static_cast<float>((4 * i + j) % 100'000))));
+    }
   }
   texels.upload();
   return map;
@@ -50,7 +56,7 @@ BlackbodyTable smooth_colours(Twin<float>& entries) {
 
 bool check_shading(Twin<float>& lens, std::size_t pixels, ViewMode mode, const SkySampling& sampling,
                    const char* name) {
-  Twin<float> texels(std::size_t{4} * 6 * 2 * 514 * 514);
+  Twin<HalfQuad> texels(std::size_t{6} * 2 * 514 * 514);
   Twin<float> colours(4 * 512);
   Twin<float> rgba(4 * pixels);
   ShadeBatch on_host{};

@@ -149,8 +149,8 @@ void PolygonFilter::filter(const LensPixels& lens, int count, float* rgba) const
         seen = light(vector_at(lens.sky, i), vector_at(lens.sky_along_x, i), vector_at(lens.sky_along_y, i));
       }
       for (int part = 0; part < 4; ++part) {
-        // Rounding must not make light negative.
-        rgba[4 * static_cast<long>(i) + part] = static_cast<float>(std::max(seen[part], 0.0));
+        // Rounding must not make light negative. The fourth number may be (CubeMap).
+        rgba[4 * static_cast<long>(i) + part] = static_cast<float>(part < 3 ? std::max(seen[part], 0.0) : seen[part]);
       }
     }
   });

@@ -1,10 +1,14 @@
 #include "render/passes/sky/sky_cube.h"
 
+#include <Imath/half.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "kernels/core/lanes.h"
+#include "kernels/core/pack.h"
 #include "kernels/launch/parallel_for.h"
 #include "render/backend/cached_memory.h"
 #include "render/passes/sky/image_rows.h"
@@ -94,11 +98,18 @@ std::size_t texel_count(int face_size) {
   return texels;
 }
 
+//! Returns CubeMap::scale, given the brightest light.
+float scale_for(float brightest) {
+  // Below the limit, the scale or its inverse would not be a float.
+  return brightest > 0.0F ? std::ldexp(1.0F, std::max(std::ilogb(brightest) - 14, -126)) : 1.0F;
+}
+
 //! The faces and mip levels in host memory while they are built.
 class Pyramid {
  public:
-  //! `texels`: uninitialized memory for texel_count(face_size) texels.
-  Pyramid(int face_size, float* texels) : texels_(texels) {
+  //! `texels`: uninitialized memory for texel_count(face_size) texels. `brightest`: upper limit of the light.
+  Pyramid(int face_size, float brightest, HalfQuad* texels) : texels_(texels) {
+    map_.scale = scale_for(brightest);
     map_.face_size = face_size;
     long offset = 0;
     for (int size = face_size; size >= 1; size /= 2) {
@@ -111,14 +122,16 @@ class Pyramid {
   [[nodiscard]] int size(int level) const { return map_.face_size >> level; }
   [[nodiscard]] const CubeMap& map() const { return map_; }
 
-  float* texel(int level, int face, int x, int y) { return texels_ + 4 * texel_index(map_, level, face, x, y); }
+  [[nodiscard]] glm::vec4 texel(int level, int face, int x, int y) const {
+    const Quad light = load_quad(texels_ + texel_index(map_, level, face, x, y));
+    return map_.scale * glm::vec4(quad_part(light, 0), quad_part(light, 1), quad_part(light, 2), quad_part(light, 3));
+  }
 
   void set(int level, int face, int x, int y, const glm::vec4& light) {
-    float* to = texel(level, face, x, y);
-    to[0] = light.x;
-    to[1] = light.y;
-    to[2] = light.z;
-    to[3] = light.w;
+    HalfQuad& to = texels_[texel_index(map_, level, face, x, y)];
+    for (int i = 0; i < 4; ++i) {
+      to.part[i] = half(light[i] / map_.scale).bits();
+    }
   }
 
   //! Computes a level; each texel is the mean of the four finer ones, weighted by solid angle.
@@ -158,8 +171,7 @@ class Pyramid {
     for (int i = 0; i < 4; ++i) {
       const int fine_x = 2 * x + i % 2;
       const double weight = weights[i / 2][static_cast<std::size_t>(fine_x)];
-      const float* from = texel(level - 1, face, fine_x, 2 * y + i / 2);
-      sum += weight * glm::dvec4(from[0], from[1], from[2], from[3]);
+      sum += weight * glm::dvec4(texel(level - 1, face, fine_x, 2 * y + i / 2));
       all += weight;
     }
     set(level, face, x, y, glm::vec4(sum / all));
@@ -177,8 +189,7 @@ class Pyramid {
     const int x0 = static_cast<int>(x);
     const int y0 = static_cast<int>(y);
     const auto at = [&](int dx, int dy) {
-      const float* from = texel(level, its_face, std::min(x0 + dx, n - 1), std::min(y0 + dy, n - 1));
-      return glm::vec4(from[0], from[1], from[2], from[3]);
+      return texel(level, its_face, std::min(x0 + dx, n - 1), std::min(y0 + dy, n - 1));
     };
     const float fx = x - static_cast<float>(x0);
     const float fy = y - static_cast<float>(y0);
@@ -186,8 +197,32 @@ class Pyramid {
   }
 
   CubeMap map_{};
-  float* texels_;
+  HalfQuad* texels_;
 };
+
+//! Returns the maximum of the light of many rows.
+float brightest_of(int rows, const std::function<float(int)>& brightest_of_row) {
+  std::vector<float> maxima(static_cast<std::size_t>(rows));
+  parallel_for(rows, 8, [&](int begin, int end) {
+    for (int row = begin; row < end; ++row) {
+      maxima[static_cast<std::size_t>(row)] = brightest_of_row(row);
+    }
+  });
+  return std::ranges::max(maxima);
+}
+
+float brightest_of(const EnvironmentImage& image) {
+  return brightest_of(image.height, [&](int row) {
+    using Register = Pack<float, 4>;
+    const int count = 3 * image.width;
+    const float* const light = image.rgb.data() + static_cast<std::ptrdiff_t>(row) * count;
+    Register brightest(0.0F);
+    for (int i = 0; i < count; i += 4) {
+      brightest = maximum(brightest, load_lanes<Register>(light, i, count));
+    }
+    return std::max({lane(brightest, 0), lane(brightest, 1), lane(brightest, 2), lane(brightest, 3)});
+  });
+}
 
 }  // namespace
 
@@ -196,7 +231,8 @@ SkyCube::SkyCube(Backend backend, const EnvironmentImage& image, const glm::dmat
   const ImageRows rows(image, glm::transpose(sky_from_map));
   build(
       backend, face_size_for(image.width),
-      [&](const DirectionRow& row, std::span<glm::vec3> light) { rows.read(row, light); }, fit, name);
+      [&](const DirectionRow& row, std::span<glm::vec3> light) { rows.read(row, light); }, brightest_of(image), fit,
+      name);
 }
 
 SkyCube::SkyCube(Backend backend, int face_size, const std::function<glm::vec3(const glm::dvec3&)>& light,
@@ -206,16 +242,26 @@ SkyCube::SkyCube(Backend backend, int face_size, const std::function<glm::vec3(c
       lights[i] = light(glm::normalize(row.base + static_cast<double>(row.s[i]) * row.along));
     }
   };
-  build(backend, face_size, light_of_row, fit, "sky map");
+  const SampleRows samples(face_size);
+  const float brightest = brightest_of(12 * face_size, [&](int row) {
+    std::vector<glm::vec3> lights(2 * static_cast<std::size_t>(face_size));
+    light_of_row(samples.row(row / (2 * face_size), row % (2 * face_size)), lights);
+    float of_row = 0.0F;
+    for (const glm::vec3& each : lights) {
+      of_row = std::max({of_row, each.x, each.y, each.z});
+    }
+    return of_row;
+  });
+  build(backend, face_size, light_of_row, brightest, fit, "sky map");
 }
 
-void SkyCube::build(Backend backend, int face_size, const LightOfRow& light, const TemperatureFit* fit,
+void SkyCube::build(Backend backend, int face_size, const LightOfRow& light, float brightest, const TemperatureFit* fit,
                     const char* name) {
-  const std::size_t floats = 4 * texel_count(face_size);
-  texels_ = Buffer<float>(backend, floats, name);
+  const std::size_t texels = texel_count(face_size);
+  texels_ = Buffer<HalfQuad>(backend, texels, name);
   // The CPU builds the map in its own memory, in that of the buffer if possible.
-  PixelValues host(backend == Backend::cpu ? 0 : floats);
-  Pyramid pyramid(face_size, host.empty() ? texels_.data() : host.data());
+  std::vector<HalfQuad, UnfilledAllocator<HalfQuad>> host(backend == Backend::cpu ? 0 : texels);
+  Pyramid pyramid(face_size, brightest, host.empty() ? texels_.data() : host.data());
   const SampleRows samples(face_size);
   parallel_for(6 * face_size, 8, [&](int begin, int end) {
     std::vector<glm::vec3> upper(2 * static_cast<std::size_t>(face_size));
@@ -242,7 +288,7 @@ void SkyCube::build(Backend backend, int face_size, const LightOfRow& light, con
   texels_.write(host.data(), host.size());
 }
 
-std::size_t SkyCube::bytes_for(int map_width) { return 4 * sizeof(float) * texel_count(face_size_for(map_width)); }
+std::size_t SkyCube::bytes_for(int map_width) { return sizeof(HalfQuad) * texel_count(face_size_for(map_width)); }
 
 CubeMap SkyCube::view() const {
   CubeMap map = map_;

@@ -36,10 +36,12 @@ class SkyCube {
  private:
   using LightOfRow = std::function<void(const DirectionRow&, std::span<glm::vec3>)>;
 
-  void build(Backend backend, int face_size, const LightOfRow& light, const TemperatureFit* fit, const char* name);
+  //! `brightest`: upper limit of the light of all rows.
+  void build(Backend backend, int face_size, const LightOfRow& light, float brightest, const TemperatureFit* fit,
+             const char* name);
 
   CubeMap map_{};
-  Buffer<float> texels_;
+  Buffer<HalfQuad> texels_;
 };
 
 }  // namespace ergodome

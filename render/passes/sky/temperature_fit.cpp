@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "kernels/sky/blackbody.h"
+#include "kernels/sky/cube_map.h"
 
 namespace ergodome {
 
@@ -70,7 +71,7 @@ float TemperatureFit::log_temperature(const glm::vec3& rgb) const {
 
 float TemperatureFit::weighted_log_temperature(const glm::vec3& rgb) const {
   const float luminance = luminance_of(Vector3<float>{rgb.x, rgb.y, rgb.z});
-  return luminance > 0.0F ? luminance * log_temperature(rgb) : 0.0F;
+  return luminance > 0.0F ? luminance * (log_temperature(rgb) - log_reference_temperature) : 0.0F;
 }
 
 }  // namespace ergodome

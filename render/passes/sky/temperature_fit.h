@@ -27,8 +27,7 @@ class TemperatureFit {
   //! the hottest blackbody.
   [[nodiscard]] float log_temperature(const glm::vec3& rgb) const;
 
-  //! Returns the value that a texel of this color stores (kernels/sky/cube_map.h): luminance times
-  //! ln T.
+  //! Returns the fourth number of a texel of this color (CubeMap).
   [[nodiscard]] float weighted_log_temperature(const glm::vec3& rgb) const;
 
  private:

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -7,6 +8,7 @@
 
 #include "kernels/core/arithmetic.h"
 #include "kernels/core/lanes.h"
+#include "kernels/core/quad.h"
 #include "kernels/launch/launch.h"
 #include "kernels/spacetime/trace/trace_rays.h"
 
@@ -111,6 +113,21 @@ std::vector<double> sky_of(InstructionSet set) {
   const auto kernel = cpu_kernel<RayBatch<double>>(set);
   kernel.run(batch, 0, kernel.calls(batch));
   return sky;
+}
+
+TEST(HalfQuads, HoldTheNumbersOfHalfFloats) {
+  // Each finite half float, from its definition: a sign, 5 bits of exponent, 10 of mantissa.
+  for (std::uint32_t bits = 0; bits < 0x10000U; ++bits) {
+    const int exponent = static_cast<int>(bits >> 10U & 31U);
+    if (exponent == 31) {
+      continue;
+    }
+    const auto mantissa = static_cast<float>(bits & 1023U) + (exponent == 0 ? 0.0F : 1024.0F);
+    const float value = std::ldexp((bits & 0x8000U) != 0 ? -mantissa : mantissa, std::max(exponent, 1) - 25);
+    const HalfQuad quad = {{0, static_cast<std::uint16_t>(bits), 0x3c00, 0}};
+    ASSERT_EQ(quad_part(load_quad(&quad), 1), value) << bits;
+    ASSERT_EQ(quad_part(load_quad(&quad), 2), 1.0F);
+  }
 }
 
 TEST(InstructionSets, GiveTheSameSky) {

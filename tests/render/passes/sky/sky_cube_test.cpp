@@ -119,6 +119,28 @@ TEST(SkyCube, FootprintThatIsNotANumberSeesTheMean) {
   EXPECT_NEAR(light.x, 1.0F, 2e-3F);
 }
 
+TEST(SkyCube, KeepsTheLightOfBrightAndDarkSkies) {
+  // Texels are half floats; the range of light must not matter, nor that one texel is very bright.
+  for (const float brightest : {1e-27F, 1e-6F, 1.0F, 1e9F, 1e30F}) {
+    for (const float part : {0.7F, 3e-3F, 5e-6F, 5e-9F}) {
+      const SkyCube sky(Backend::cpu, 8, [&](const glm::dvec3& d) {
+        return glm::vec3(d.x < -0.9 ? brightest : brightest * part, brightest * part, 0.0F);
+      });
+      const Vector3<float> light = filtered(sky.view(), {1.0F, 0.0F, 0.0F}, {0.0F, 1e-3F, 0.0F}, {0.0F, 0.0F, 1e-3F});
+      EXPECT_NEAR(light.x / (brightest * part), 1.0F, 0x1p-11F) << brightest << " " << part;
+      EXPECT_NEAR(light.y / (brightest * part), 1.0F, 0x1p-11F) << brightest << " " << part;
+      EXPECT_EQ(light.z, 0.0F);
+    }
+  }
+}
+
+TEST(SkyCube, StaysFiniteWithHardlyAnyLight) {
+  const SkyCube sky(Backend::cpu, 4, [&](const glm::dvec3&) { return glm::vec3(1e-44F, 0.0F, 0.0F); });
+  const Vector3<float> light = filtered(sky.view(), {1.0F, 0.0F, 0.0F}, {0.0F, 1e-3F, 0.0F}, {0.0F, 0.0F, 1e-3F});
+  EXPECT_LT(light.x, 1e-40F);
+  EXPECT_EQ(light.y, 0.0F);
+}
+
 TEST(SkyCube, WholeSkyKeepsItsLight) {
   // The light, averaged over the sphere, must be the same on every level of the mip chain.
   const SkyCube sky(Backend::cpu, 64, [](const glm::dvec3& d) {
