@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "content/files/printable.h"
 #include "content/files/toml_bounds.h"
@@ -173,11 +174,46 @@ void apply_setting(toml::table& show, const Setting& setting, const std::string&
   }
 }
 
+//! Returns the path of a setting as [[animate]] writes it: "shells[0].radius".
+std::string path_of_number(const Setting& setting) {
+  std::string path;
+  for (const std::string& part : setting.parts) {
+    if (part.find_first_not_of("0123456789") == std::string::npos) {
+      path += fmt::format("[{}]", part);
+    } else {
+      path += (path.empty() ? "" : ".") + part;
+    }
+  }
+  return path;
+}
+
+//! Removes the [[animate]] of a number, which would replace the setting. Leaves several of the same
+//! number to the reader, which refuses them.
+void remove_animation(toml::table& show, const std::string& path) {
+  toml::array* const animations = show["animate"].as_array();
+  if (animations == nullptr) {
+    return;
+  }
+  const auto animates = [&](const toml::node& each) {
+    const toml::table* const animation = each.as_table();
+    return animation != nullptr && (*animation)["number"].value_or(std::string_view()) == path;
+  };
+  if (std::ranges::count_if(*animations, animates) == 1) {
+    animations->erase(std::ranges::find_if(*animations, animates));
+  }
+}
+
 }  // namespace
 
 void apply_settings(toml::table& show, const ShowSettings& settings, const std::string& file) {
+  std::vector<Setting> applied;
   for (const std::string& text : settings) {
-    apply_setting(show, split_setting(text), file);
+    applied.push_back(split_setting(text));
+    apply_setting(show, applied.back(), file);
+  }
+  // Last, because settings count the entries of [[animate]] as in the file.
+  for (const Setting& setting : applied) {
+    remove_animation(show, path_of_number(setting));
   }
 }
 

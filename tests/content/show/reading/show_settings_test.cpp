@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
+#include "content/show/animated_show.h"
 #include "content/show/reading/show_reader.h"
 #include "content/show/show_errors.h"
 #include "tests/support/errors.h"
@@ -51,6 +55,38 @@ TEST(ShowSettings, AreReadAsTheSameLinesOfAFile) {
   const std::string lines = "[effects]\nredshift = true\npsf = { sigma_px = 0.7 }\n[tone]\ncurve = \"filmic\"\n";
   EXPECT_EQ(to_toml(show_set({"effects.redshift=true", "effects.psf.sigma_px=0.7", "tone.curve=filmic"})),
             to_toml(parse_show(set_show + lines, "evening.toml")));
+}
+
+TEST(ShowSettings, ReplaceAnimations) {
+  const std::string text = std::string(set_show) + R"(
+[[shells]]
+radius = 30
+[[animate]]
+number = "hole.spin"
+key = [{ t_s = 0, value = 0.1 }, { t_s = 10, value = 0.8 }]
+[[animate]]
+number = "view.fov_deg"
+key = [{ t_s = 0, value = 90 }, { t_s = 10, value = 180 }]
+[[animate]]
+number = "shells[0].radius"
+key = [{ t_s = 0, value = 30 }, { t_s = 10, value = 40 }]
+)";
+  const auto animated = [&](const ShowSettings& settings) {
+    std::vector<std::string> paths;
+    for (const Animation& each : parse_show(text, "evening.toml", settings).timeline.animations) {
+      paths.push_back(each.path);
+    }
+    return paths;
+  };
+  using testing::ElementsAre;
+  EXPECT_THAT(animated({"hole.spin=0.5"}), ElementsAre("view.fov_deg", "shells[0].radius"));
+  EXPECT_THAT(animated({"shells.0.radius=35"}), ElementsAre("hole.spin", "view.fov_deg"));
+  EXPECT_THAT(animated({"view.tilt_deg=10"}), ElementsAre("hole.spin", "view.fov_deg", "shells[0].radius"));
+  // Settings count animations as in the file, whatever other settings remove.
+  const Show show = parse_show(text, "evening.toml", {"hole.spin=0.5", "animate.1.key.0.value=120"});
+  EXPECT_EQ(show_at(show, 0.0).spin, 0.5);
+  EXPECT_EQ(show_at(show, 5.0).spin, 0.5);
+  EXPECT_EQ(show_at(show, 0.0).view.field_of_view_deg, 120.0);
 }
 
 TEST(ShowSettings, HaveTheTypesOfToml) {
