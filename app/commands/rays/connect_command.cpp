@@ -12,7 +12,6 @@
 #include "app/cli/output_file.h"
 #include "app/cli/progress.h"
 #include "app/commands/rays/ray_groups.h"
-#include "content/files/atomic_file.h"
 #include "content/files/console.h"
 #include "content/files/printable.h"
 #include "content/tables/number_text.h"
@@ -114,6 +113,7 @@ std::vector<Answer> connect_through_tables(const std::vector<PairRow>& rows, con
 }
 
 void run_connect(const ConnectOptions& options) {
+  require_table_ending("--out", options.out);
   require_output_file("--out", options.out, {options.pairs});
   const std::vector<PairRow> rows = read_pair_table(options.pairs);
   const std::vector<Answer> answers =
@@ -127,7 +127,7 @@ void run_connect(const ConnectOptions& options) {
     append_number(text, answers[i].travel_time);
     text += '\n';
   }
-  write_text_atomically(options.out, text);
+  write_table(options.out, text);
 }
 
 }  // namespace

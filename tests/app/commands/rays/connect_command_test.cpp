@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "tests/app/cli/command_line.h"
 #include "tests/support/csv_table.h"
@@ -46,6 +47,17 @@ TEST_F(CommandLine, ConnectReadsRaysFromATableToo) {
   write("far.csv", "r_obs,r,phi,order\n40,5e6,1,1\n");
   EXPECT_EQ(run("connect --pairs far.csv --out far_out.csv --method table"), 1);
   EXPECT_THAT(output_, AllOf(HasSubstr("far.csv:2"), HasSubstr("closed_form")));
+}
+
+TEST_F(CommandLine, ConnectWritesTheFormatThatTheEndingNames) {
+  write("pairs.csv", "r_obs,r,phi,order\n40,5,1,1\n");
+  ASSERT_EQ(run("connect --pairs pairs.csv --out out.json"), 0) << output_;
+  const auto rows = nlohmann::json::parse(std::ifstream(folder_ / "out.json"));
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0]["r_obs"], 40);
+  EXPECT_GT(rows[0]["travel_time"], 35.0);
+  EXPECT_EQ(run("connect --pairs pairs.csv --out out.png"), 2);
+  EXPECT_THAT(output_, HasSubstr("choose a name that ends in .csv, .tsv or .json"));
 }
 
 TEST_F(CommandLine, ConnectNamesTheLineOfABadPairAndLeavesNoFile) {
