@@ -12,7 +12,7 @@
 // grid's node. Pointers that are loaded from or stored to must be 16-byte aligned.
 namespace ergodome {
 
-//! A quad in half the memory: four IEEE half floats.
+//! A quad in half the memory: four IEEE half floats, 8-byte aligned.
 struct alignas(8) HalfQuad {
   std::uint16_t part[4];
 };
@@ -58,7 +58,7 @@ ERGO_HD float half_value(std::uint16_t half) {
 #if defined(__CUDA_ARCH__)
   asm("cvt.f32.f16 %0, %1;" : "=f"(value) : "h"(half));
 #else
-  // Shifted, the exponent is that of a float, but for the difference between their biases.
+  // After the shift, only the bias of the exponent differs, by 112.
   const std::uint32_t bits = (half & 0x7fffU) << 13U;
   std::memcpy(&value, &bits, sizeof value);
   value *= (half & 0x8000U) != 0 ? -0x1p112F : 0x1p112F;

@@ -127,7 +127,11 @@ struct ShadeSky {
     Vector3<float> seen = {0.0F, 0.0F, 0.0F};
     // Without light, g is undefined and the temperature would be 0 / 0, so the result stays black.
     if (luminance > 1e-37F) {
-      seen = shifted_light(batch.colours, rgb, log_reference_temperature + quad_part(light, 3) / luminance, g);
+      // In very dark texels, rounding may put the temperature outside its range.
+      const float lowest = lowest_log_temperature;
+      const float highest = highest_log_temperature;
+      const float log_temperature = log_reference_temperature + quad_part(light, 3) / luminance;
+      seen = shifted_light(batch.colours, rgb, minimum(maximum(log_temperature, lowest), highest), g);
     }
     to[0] = seen.x;
     to[1] = seen.y;

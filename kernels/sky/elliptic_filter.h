@@ -224,7 +224,7 @@ class StoredLookUps {
   const HalfQuad* texels_;
   LevelLanes<T> level_;
   std::uint32_t row_[lanes];           //!< texels from a texel to its lower neighbor
-  std::uint32_t first_[Limit][lanes];  //!< the upper left texel; its right neighbor follows
+  std::uint32_t first_[Limit][lanes];  //!< index of the upper left texel; its right neighbor follows
   LaneWeights<T> weights_[Limit];
 };
 #endif

@@ -187,8 +187,8 @@ std::string path_of_number(const Setting& setting) {
   return path;
 }
 
-//! Removes the [[animate]] of a number, which would replace the setting. Leaves several of the same
-//! number to the reader, which refuses them.
+//! Removes the [[animate]] entry of a number, because it would override the setting. Keeps several
+//! entries of the same number, so that the reader reports them.
 void remove_animation(toml::table& show, const std::string& path) {
   toml::array* const animations = show["animate"].as_array();
   if (animations == nullptr) {
@@ -211,7 +211,7 @@ void apply_settings(toml::table& show, const ShowSettings& settings, const std::
     applied.push_back(split_setting(text));
     apply_setting(show, applied.back(), file);
   }
-  // Last, because settings count the entries of [[animate]] as in the file.
+  // Runs after all settings, because they count the entries of [[animate]] as in the file.
   for (const Setting& setting : applied) {
     remove_animation(show, path_of_number(setting));
   }

@@ -100,7 +100,7 @@ std::size_t texel_count(int face_size) {
 
 //! Returns CubeMap::scale, given the brightest light.
 float scale_for(float brightest) {
-  // Below the limit, the scale or its inverse would not be a float.
+  // A smaller scale would be subnormal.
   return brightest > 0.0F ? std::ldexp(1.0F, std::max(std::ilogb(brightest) - 14, -126)) : 1.0F;
 }
 

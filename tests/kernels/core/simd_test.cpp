@@ -115,7 +115,7 @@ std::vector<double> sky_of(InstructionSet set) {
   return sky;
 }
 
-TEST(HalfQuads, HoldTheNumbersOfHalfFloats) {
+TEST(HalfQuads, DecodeEveryFiniteHalfFloat) {
   // Each finite half float, from its definition: a sign, 5 bits of exponent, 10 of mantissa.
   for (std::uint32_t bits = 0; bits < 0x10000U; ++bits) {
     const int exponent = static_cast<int>(bits >> 10U & 31U);

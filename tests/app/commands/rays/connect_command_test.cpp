@@ -49,7 +49,7 @@ TEST_F(CommandLine, ConnectReadsRaysFromATableToo) {
   EXPECT_THAT(output_, AllOf(HasSubstr("far.csv:2"), HasSubstr("closed_form")));
 }
 
-TEST_F(CommandLine, ConnectWritesTheFormatThatTheEndingNames) {
+TEST_F(CommandLine, ConnectChoosesTheFormatByTheEnding) {
   write("pairs.csv", "r_obs,r,phi,order\n40,5,1,1\n");
   ASSERT_EQ(run("connect --pairs pairs.csv --out out.json"), 0) << output_;
   const auto rows = nlohmann::json::parse(std::ifstream(folder_ / "out.json"));

@@ -210,6 +210,33 @@ TEST(BlackbodyFit, DarkTexelsDoNotDecideTheTemperature) {
               0.01F);
 }
 
+TEST(BlackbodyFit, DarkLightDoesNotBecomeBright) {
+  // Beside one bright texel, the numbers of the dark ones are so small that they are rounded coarsely,
+  // each by itself.
+  const BlackbodyColours colours(Backend::cpu);
+  const TemperatureFit fit(colours.view());
+  for (const float dark : {2.5e-12F, 4e-12F, 7e-12F, 3e-11F}) {
+    const SkyCube sky(
+        Backend::cpu, 16,
+        [&](const glm::dvec3& d) {
+          return d.z > 0.98 ? glm::vec3(1.0F) : dark * glm::vec3(1.0F + d.x, 0.5F * (1.0F + d.y), 0.4F);
+        },
+        &fit);
+    PictureSettings settings;
+    settings.filter = SkyFilter::point;
+    settings.shift = SkyShift::blackbody_fit;
+    settings.colours = colours.view();
+    const std::vector<Vector3<float>> directions = directions_everywhere(2000);
+    SkySamples samples(directions, 1.5F);
+    const std::vector<float>& rgba = samples.shade(sky.view(), settings);
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      if (directions[i].z < 0.5F) {
+        EXPECT_LT(std::max({rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2]}), 1e4F * dark);
+      }
+    }
+  }
+}
+
 TEST(LuminanceShift, GoesWithTheFourthPowerAndLeavesColours) {
   const SkyCube sky(Backend::cpu, 16, [](const glm::dvec3& d) { return glm::vec3(1.0 + d.x, 0.7, 0.1); });
   for (const float g : {0.5F, 1.0F, 1.7F}) {

@@ -50,6 +50,8 @@ TEST(TemperatureFit, ColoursFarOffStayWithinItsLimits) {
   EXPECT_NEAR(fit.log_temperature({1.0F, 0.0F, 0.0F}), coldest, 0.01F);
   EXPECT_NEAR(fit.log_temperature({0.0F, 0.0F, 1.0F}), hottest, 0.01F);
   EXPECT_EQ(fit.weighted_log_temperature(glm::vec3(0.0F)), 0.0F);
+  EXPECT_NEAR(lowest_log_temperature, coldest, 1e-5F);
+  EXPECT_NEAR(highest_log_temperature, hottest, 1e-5F);
 }
 
 TEST(ShiftedLight, WithoutAShiftIsTheLightItself) {
