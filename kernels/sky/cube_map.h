@@ -13,19 +13,19 @@ namespace ergodome {
 
 inline constexpr int cube_level_limit = 16;
 
-//! Range of ln T of texels, 1500 K to 40,000 K, and its midpoint. Half floats store the small
-//! differences from the midpoint more accurately.
+//! Range of ln T of texels, 1500 K to 40,000 K, and its midpoint. Texels store the difference from
+//! the midpoint, which half floats hold more accurately than ln T itself.
 inline constexpr float lowest_log_temperature = 7.31322F;
 inline constexpr float highest_log_temperature = 10.59663F;
 inline constexpr float log_reference_temperature = 0.5F * (lowest_log_temperature + highest_log_temperature);
 
 //! A cube map as kernels read it. Face order: +x, -x, +y, -y, +z, -z.
 //!
-//! Texels are half floats, because memory access limits the filters. Times `scale`, they are red, green,
-//! blue and a fourth number. For SkyShift::blackbody_fit it is the luminance times
+//! Texels are half floats, because memory access limits the filters. Multiplied by `scale`, they are
+//! red, green, blue and a fourth number. For SkyShift::blackbody_fit it is the luminance times
 //! (ln T - log_reference_temperature), where T [K] is the temperature of the blackbody nearest in
 //! color; otherwise it is undefined. After filtering, dividing it by the filtered luminance yields
-//! the luminance-weighted mean of the logarithm, so dark texels have no influence.
+//! the luminance-weighted mean of the difference, so dark texels have no influence.
 struct CubeMap {
   const HalfQuad* texels;
   //! Power of two for which the brightest color component of the source is from 16,384 to 32,768.

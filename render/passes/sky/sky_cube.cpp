@@ -107,7 +107,8 @@ float scale_for(float brightest) {
 //! The faces and mip levels in host memory while they are built.
 class Pyramid {
  public:
-  //! `texels`: uninitialized memory for texel_count(face_size) texels. `brightest`: upper limit of the light.
+  //! `texels`: uninitialized memory for texel_count(face_size) texels. `brightest`: upper limit of
+  //! the light.
   Pyramid(int face_size, float brightest, HalfQuad* texels) : texels_(texels) {
     map_.scale = scale_for(brightest);
     map_.face_size = face_size;
@@ -200,7 +201,7 @@ class Pyramid {
   HalfQuad* texels_;
 };
 
-//! Returns the maximum of the light of many rows.
+//! Returns the maximum of brightest_of_row(0), brightest_of_row(1), ..., computed by all threads.
 float brightest_of(int rows, const std::function<float(int)>& brightest_of_row) {
   std::vector<float> maxima(static_cast<std::size_t>(rows));
   parallel_for(rows, 8, [&](int begin, int end) {

@@ -211,8 +211,8 @@ TEST(BlackbodyFit, DarkTexelsDoNotDecideTheTemperature) {
 }
 
 TEST(BlackbodyFit, DarkLightDoesNotBecomeBright) {
-  // Beside one bright texel, the numbers of the dark ones are so small that they are rounded coarsely,
-  // each by itself.
+  // Beside a bright texel, the dark ones have such small numbers that light and temperature are
+  // rounded coarsely, each by itself.
   const BlackbodyColours colours(Backend::cpu);
   const TemperatureFit fit(colours.view());
   for (const float dark : {2.5e-12F, 4e-12F, 7e-12F, 3e-11F}) {
