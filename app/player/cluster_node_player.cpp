@@ -85,10 +85,11 @@ void ClusterNodePlayer::report() {
 }
 
 void ClusterNodePlayer::reload_show() {
-  const bool changed = files_.changed(std::chrono::steady_clock::now().time_since_epoch());
-  if ((!node_->show_wanted() && !changed) || !source_.idle()) {
+  files_changed_ = files_.changed(std::chrono::steady_clock::now().time_since_epoch()) || files_changed_;
+  if ((!node_->show_wanted() && !files_changed_) || !source_.idle()) {
     return;
   }
+  files_changed_ = false;
   try {
     load();
   } catch (const std::exception& problem) {

@@ -73,6 +73,7 @@ class ClusterNodePlayer {
   std::vector<std::filesystem::path> pushed_;  //!< shows from the master, which replace those of the command line
   std::optional<ContentCache> cache_;          //!< while files come from the master
   FileWatch files_;
+  bool files_changed_ = false;  //!< since the last load()
   std::unique_ptr<NodeChannel> channel_;
   std::optional<ClusterNode> node_;
   FrameSource source_;

@@ -308,7 +308,7 @@ FrameSource::~FrameSource() {
 
 bool FrameSource::idle() {
   const std::lock_guard lock(worker_->mutex);
-  return !worker_->began && !worker_->request;
+  return !worker_->began && !worker_->request && !worker_->answer;
 }
 
 void FrameSource::ask(const PictureRequest& request) {

@@ -89,9 +89,11 @@ class FrameSource {
   FrameSource(const FrameSource&) = delete;
   FrameSource& operator=(const FrameSource&) = delete;
 
-  //! Returns whether no request is being rendered or waiting.
+  //! Returns whether no request is waiting or being rendered, and no answer waits for take(). A caller
+  //! that calls ask() only when idle receives each answer before its next request.
   [[nodiscard]] bool idle();
   void ask(const PictureRequest& request);
+  //! Returns the finished answer and forgets it; nothing if none has finished since the last call.
   std::optional<PictureAnswer> take();
 
   //! Returns how long the current picture has been rendering; zero if there is none.

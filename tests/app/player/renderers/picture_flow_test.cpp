@@ -41,6 +41,24 @@ PictureNews wait_for_news(PictureFlow& flow, bool moving) {
   return PictureNews::none;
 }
 
+TEST(FrameSource, IsNotIdleUntilItsAnswerIsTaken) {
+  FrameSource source([](const PictureRequest&) { return PictureAnswer(); });
+  EXPECT_TRUE(source.idle());
+  EXPECT_FALSE(source.take().has_value());
+  source.ask({});
+  for (int i = 0; i < 100; ++i) {
+    ASSERT_FALSE(source.idle()) << "the answer of this request would be taken for that of the next one";
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  std::optional<PictureAnswer> answer;
+  for (int i = 0; i < 20'000 && !answer; ++i) {
+    answer = source.take();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_TRUE(answer.has_value());
+  EXPECT_TRUE(source.idle());
+}
+
 TEST(PictureFlow, RefinesWhatStandsStillToTheFinestWidth) {
   FakeRenderer renderer;
   std::vector<int> shown;
@@ -169,6 +187,33 @@ TEST(PictureFlow, ShowsAPictureWhenTheGateReleasesIt) {
   EXPECT_EQ(shown, std::vector<int>{100}) << "the gate may change the request";
   EXPECT_EQ(flow.report().frame_time_ms, 500.0);
   EXPECT_EQ(gate.published, 2);
+}
+
+//! Counts released pictures that answer an earlier request than the one that was published last.
+class NumberingGate : public PictureGate {
+ public:
+  int published = 0;
+  int mistaken = 0;
+  void publish(PictureRequest& request) override { request.size_px = ++published; }
+  bool release(PictureAnswer& answer) override {
+    mistaken += answer.size_px != published ? 1 : 0;
+    return true;
+  }
+};
+
+TEST(PictureFlow, ReleasesEachPictureBeforeTheNextIsPublished) {
+  FakeRenderer renderer;
+  int shown = 0;
+  NumberingGate gate;
+  PictureFlow flow([&](const PictureAnswer&) { ++shown; }, 1000, std::ref(renderer));
+  flow.set_gate(&gate);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (shown < 20'000 && std::chrono::steady_clock::now() < end) {
+    flow.advance({}, true, true);
+  }
+  EXPECT_GT(shown, 1000);
+  EXPECT_EQ(gate.mistaken, 0);
+  EXPECT_LE(gate.published - shown, 1 + flow.report().hangs);
 }
 
 }  // namespace
