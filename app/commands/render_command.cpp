@@ -13,7 +13,6 @@
 #include "app/commands/channels/channel_frames.h"
 #include "app/commands/channels/channel_options.h"
 #include "app/commands/render/frame_check.h"
-#include "app/commands/render/frame_range.h"
 #include "app/commands/render/frame_request.h"
 #include "app/commands/render/frame_writer.h"
 #include "app/commands/render/light_meter.h"
@@ -118,7 +117,7 @@ void verify_frames(const RenderOptions& options, const FrameWriter& writer, int 
 
 void write_channels(const RenderOptions& options, const Show& show) {
   require_channels(options, show);
-  const auto [first, last] = frame_range(options.frames, frame_count(show));
+  const auto [first, last] = chosen_frames(options, show);
   write_channel_frames(options, show, FrameRequests(options, show, std::nullopt), first, last);
 }
 

@@ -62,7 +62,7 @@ void add_channel_rules(const std::shared_ptr<RenderOptions>& options, IgnoredOpt
   ignored.add("with --channels, which writes values of one eye and no pictures",
               [options] { return !options->channels.empty(); },
               {"--view", "--view-range", "--method", "--alpha", "--movie", "--pattern", "--setup", "--budget",
-               "--check", "--tint-eyes", "--baseline"});
+               "--check", "--tint-eyes", "--baseline", "--verify", "--no-summary", "--meter", "--light"});
   ignored.add("with --channels without color",
               [options] { return !options->channels.empty() && !asks_for_light(options->channels); },
               {"--backend", "--lens", "--trajectory", "--stream-memory", "--objects", "--language"});

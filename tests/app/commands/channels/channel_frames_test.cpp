@@ -166,13 +166,22 @@ TEST_F(ChannelFrames, AreLeftAloneByResumeWhereTheyAreWholeAndTheSame) {
   }
 }
 
+TEST_F(ChannelFrames, AreThoseBetweenTheChosenTimes) {
+  ASSERT_EQ(run("render numbers.toml --out f --format fits --channels g --from 0.05s --to 70ms"), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("1 frame in f"));
+  EXPECT_FALSE(fs::exists(frame("f")));
+  EXPECT_TRUE(fs::exists(folder_ / "f/numbers_000003.fits"));
+}
+
 TEST_F(ChannelFrames, RefuseWhatTheyCannotBe) {
   write("plain.toml", std::string(head) + "[[camera.key]]\nr = 12\n[sky]\nmap = \"black\"\n");
   for (const char* words : {"numbers.toml --channels redshift", "numbers.toml --channels g,g",
                             "numbers.toml --channels g --format png", "numbers.toml --format fits",
                             "numbers.toml --channels g --compression dwaa", "numbers.toml --channels g --view g",
                             "numbers.toml --channels g --alpha", "numbers.toml --channels g --stereo side_by_side",
-                            "numbers.toml --channels g --backend cpu", "plain.toml --channels disk"}) {
+                            "numbers.toml --channels g --backend cpu", "numbers.toml --channels g --verify",
+                            "numbers.toml --channels g --meter m", "numbers.toml --channels g --light m",
+                            "numbers.toml --channels g --no-summary", "plain.toml --channels disk"}) {
     EXPECT_EQ(run(std::string("render ") + words + " --out refused"), 2) << words;
     EXPECT_THAT(output_, HasSubstr("ergodome: ")) << words;
   }
