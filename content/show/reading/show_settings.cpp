@@ -187,19 +187,26 @@ std::string path_of_number(const Setting& setting) {
   return path;
 }
 
-//! Removes the [[animate]] entry of a number, because it would override the setting. Keeps several
-//! entries of the same number, so that the reader reports them.
-void remove_animation(toml::table& show, const std::string& path) {
+//! Returns the path of the number that an entry of [[animate]] changes; empty if it is malformed.
+std::string animated_number(const toml::node& entry) {
+  const toml::table* const animation = entry.as_table();
+  return animation != nullptr ? (*animation)["number"].value_or(std::string()) : std::string();
+}
+
+//! Removes the [[animate]] entries of a number, or of the numbers in a table or list, because they
+//! would override the setting. Keeps several entries of the same number, so that the reader reports
+//! them.
+void remove_animations(toml::table& show, const std::string& path) {
   toml::array* const animations = show["animate"].as_array();
   if (animations == nullptr) {
     return;
   }
-  const auto animates = [&](const toml::node& each) {
-    const toml::table* const animation = each.as_table();
-    return animation != nullptr && (*animation)["number"].value_or(std::string_view()) == path;
-  };
-  if (std::ranges::count_if(*animations, animates) == 1) {
-    animations->erase(std::ranges::find_if(*animations, animates));
+  for (std::size_t i = animations->size(); i > 0; --i) {
+    const std::string number = animated_number((*animations)[i - 1]);
+    const bool set = number == path || number.starts_with(path + ".") || number.starts_with(path + "[");
+    if (set && std::ranges::count(*animations, number, animated_number) == 1) {
+      animations->erase(animations->begin() + static_cast<std::ptrdiff_t>(i - 1));
+    }
   }
 }
 
@@ -213,7 +220,7 @@ void apply_settings(toml::table& show, const ShowSettings& settings, const std::
   }
   // Runs after all settings, because they count the entries of [[animate]] as in the file.
   for (const Setting& setting : applied) {
-    remove_animation(show, path_of_number(setting));
+    remove_animations(show, path_of_number(setting));
   }
 }
 

@@ -81,6 +81,8 @@ key = [{ t_s = 0, value = 30 }, { t_s = 10, value = 40 }]
   using testing::ElementsAre;
   EXPECT_THAT(animated({"hole.spin=0.5"}), ElementsAre("view.fov_deg", "shells[0].radius"));
   EXPECT_THAT(animated({"shells.0.radius=35"}), ElementsAre("hole.spin", "view.fov_deg"));
+  EXPECT_THAT(animated({"hole={spin=0.5}"}), ElementsAre("view.fov_deg", "shells[0].radius"));
+  EXPECT_THAT(animated({"shells=[]"}), ElementsAre("hole.spin", "view.fov_deg"));
   EXPECT_THAT(animated({"view.tilt_deg=10"}), ElementsAre("hole.spin", "view.fov_deg", "shells[0].radius"));
   // Settings count animations as in the file, whatever other settings remove.
   const Show show = parse_show(text, "evening.toml", {"hole.spin=0.5", "animate.1.key.0.value=120"});
