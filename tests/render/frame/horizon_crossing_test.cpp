@@ -109,18 +109,21 @@ double middle_difference(const std::vector<Vector3<float>>& a, const std::vector
 TEST(HorizonCrossing, GridsOfAMomentBeforeShowAboutTheSameSky) {
   const Show show = crossing_show();
   const Projection projection = make_projection(show.view, show.view.size_px, 0.0);
-  LensChooser lenses(Backend::cpu);
   int behind = 0;
-  for (const double after_s : {-0.05, -0.03, -0.01, 0.01, 0.03, 0.05}) {
-    const EyeCamera eye = crossing_eye(show, after_s);
-    const auto lens = lenses.choose({LensChoice::live, eye, projection, ViewMode::sky, {}, {std::nullopt, 0.0}, {}});
-    behind += lens->behind() ? 1 : 0;
-    const DirectLens direct(Backend::cpu, eye, projection, 0.05);
-    // A lens that is behind may differ by the motion of the camera in a moment. The Boyer-Lindquist
-    // azimuth of the camera changes by half a radian in this time; if the lens did not correct for
-    // that, the whole sky would be rotated.
-    EXPECT_LT(middle_difference(skies(*lens, projection), skies(direct, projection)), lens->behind() ? 0.03 : 1e-3)
-        << after_s;
+  // On a busy machine, grids may be finished when they are asked for, so that none is behind.
+  for (int attempt = 0; attempt < 20 && behind < 2; ++attempt) {
+    LensChooser lenses(Backend::cpu);
+    for (const double after_s : {-0.05, -0.03, -0.01, 0.01, 0.03, 0.05}) {
+      const EyeCamera eye = crossing_eye(show, after_s);
+      const auto lens = lenses.choose({LensChoice::live, eye, projection, ViewMode::sky, {}, {std::nullopt, 0.0}, {}});
+      behind += lens->behind() ? 1 : 0;
+      const DirectLens direct(Backend::cpu, eye, projection, 0.05);
+      // A lens that is behind may differ by the motion of the camera in a moment. The Boyer-Lindquist
+      // azimuth of the camera changes by half a radian in this time; if the lens did not correct for
+      // that, the whole sky would be rotated.
+      EXPECT_LT(middle_difference(skies(*lens, projection), skies(direct, projection)), lens->behind() ? 0.03 : 1e-3)
+          << after_s;
+    }
   }
   EXPECT_GE(behind, 2);
 }
