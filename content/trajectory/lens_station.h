@@ -38,6 +38,12 @@ struct LensStation {
   //! Empty if not requested.
   std::vector<float> nodes_along_r;
   std::vector<float> nodes_along_theta;
+  //! Coefficients of the second order in the offset of the camera: of Δr² [1/M²] and of Δr Δθ
+  //! [1/(M rad)], shaped as `nodes`. Only a grid for a cell of camera positions has them
+  //! (add_cell_motion()); the derivatives are then means over the cell. Trajectories do not store
+  //! them.
+  std::vector<float> nodes_along_r_r;
+  std::vector<float> nodes_along_r_theta;
 
   [[nodiscard]] std::size_t node_count() const { return nodes.size() / floats_a_node; }
   [[nodiscard]] std::size_t leaf_count() const { return leaves.size() / 4; }

@@ -12,13 +12,16 @@ inline constexpr float part_slack = 0.01F;
 //! Minimum angular margin of that part [rad].
 inline constexpr float min_part_slack = 1e-6F;
 
-//! Derivatives of a patch with respect to the camera's r and θ, in the patch's frame.
+//! Coefficients of a patch's motion, in the patch's frame, for offsets Δr and Δθ of the camera: those
+//! of Δr, Δθ, Δr² and Δr Δθ.
 struct PatchMotion {
   BezierPatch along_r;
   BezierPatch along_theta;
+  BezierPatch along_r_r;
+  BezierPatch along_r_theta;
 };
 
-//! Moves patches to another camera position, to first order. Arrays have `count` elements.
+//! Moves patches to another camera position. Arrays have `count` elements.
 struct PatchMotionBatch {
   int count;
   //! Patches of the old position. SkyPart::bounds must enclose the patch at both positions.

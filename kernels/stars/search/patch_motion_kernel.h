@@ -20,12 +20,16 @@ struct MovePatch {
     to = from;
     to.frame = {turned(from.frame.first), turned(from.frame.second), turned(from.frame.axis)};
     const PatchMotion& motion = batch.motions[index];
+    const float along_r_r = batch.along_r * batch.along_r;
+    const float along_r_theta = batch.along_r * batch.along_theta;
     Range range{T(largest), T(-largest), T(largest), T(-largest), T(largest)};
     for (int i = 0; i < points; i += lanes) {
       const auto moved = [&](float(BezierPatch::*part)[16]) {
         const T value = load_lanes<T>(from.sky.*part, i, points) +
                         batch.along_r * load_lanes<T>(motion.along_r.*part, i, points) +
-                        batch.along_theta * load_lanes<T>(motion.along_theta.*part, i, points);
+                        batch.along_theta * load_lanes<T>(motion.along_theta.*part, i, points) +
+                        along_r_r * load_lanes<T>(motion.along_r_r.*part, i, points) +
+                        along_r_theta * load_lanes<T>(motion.along_r_theta.*part, i, points);
         store_lanes(to.sky.*part, i, points, value);
         return value;
       };

@@ -99,10 +99,15 @@ class GridBuilder {
 
   void trace_derivatives() {
     const ChartPositions positions = grid_.node_positions(station_.node_count());
-    add_derivatives(station_, [&](const LensPosition& position, const LensChart& chart) {
+    const NodeTracer trace = [&](const LensPosition& position, const LensChart& chart) {
       grid_.statistics().traced_nodes += static_cast<long>(positions.s.size());
       return tracer_.nodes_of(make_camera(position, chart), positions.gamma_turns, positions.s);
-    });
+    };
+    if (settings_.reach) {
+      add_cell_motion(station_, *settings_.reach, trace);
+    } else {
+      add_derivatives(station_, trace);
+    }
   }
 
   void check(std::vector<OpenCell>& open) {

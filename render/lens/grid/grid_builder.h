@@ -1,10 +1,13 @@
 #pragma once
 
+#include <optional>
+
 #include "content/trajectory/lens_station.h"
 #include "kernels/spacetime/kerr/frame_boost.h"
 #include "kernels/spacetime/shadow/shadow_chart.h"
 #include "render/lens/grid/grid_tracer.h"
 #include "render/lens/grid/growing_grid.h"
+#include "render/lens/stations/lens_position.h"
 
 // Builds lens grids.
 
@@ -27,6 +30,9 @@ struct GridSettings {
   //! Also computes the derivatives of the nodes with respect to the camera's r and θ; the grid is
   //! then never mirrored.
   bool derivatives = false;
+  //! If present, `derivatives` computes coefficients for a cell of camera positions instead
+  //! (add_cell_motion()): half the extent of the cell along r [M] and θ [rad].
+  std::optional<LensPosition> reach{};
   //! Fills LensStation::traced_nodes and leaf_displacements, which the search for star images
   //! needs.
   bool inverted = false;

@@ -120,7 +120,8 @@ void mend_hanging_nodes(LensStation& station, const NodeByPosition& nodes, const
   }
   std::stable_sort(finder.found.begin(), finder.found.end(),
                    [](const HangingNode& a, const HangingNode& b) { return a.refinement < b.refinement; });
-  for (std::vector<float>* values : {&station.nodes, &station.nodes_along_r, &station.nodes_along_theta}) {
+  for (std::vector<float>* values : {&station.nodes, &station.nodes_along_r, &station.nodes_along_theta,
+                                     &station.nodes_along_r_r, &station.nodes_along_r_theta}) {
     for (const HangingNode& hanging : finder.found) {
       if (!values->empty()) {
         mend(*values, hanging);

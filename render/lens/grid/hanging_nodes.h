@@ -43,7 +43,7 @@ NodePosition corner_position(const LensStation& station, const CellBox& box, int
 
 //! Sets nodes inside the side of a larger leaf to the values interpolated along that side, so that
 //! leaves of different size agree in value and all first derivatives. Does the same for the nodes'
-//! derivatives along r and θ. `boxes`: the boxes of the leaves.
+//! derivatives with respect to the camera's position. `boxes`: the boxes of the leaves.
 void mend_hanging_nodes(LensStation& station, const NodeByPosition& nodes, const std::vector<CellBox>& boxes);
 
 }  // namespace ergodome

@@ -22,8 +22,14 @@ using NodeTracer = std::function<std::vector<float>(const LensPosition& position
 //! that of a linear step of the same length.
 void add_derivatives(LensStation& station, const NodeTracer& trace);
 
-//! Returns the nodes for a camera at `offset` from a station that has derivatives along the
-//! camera's r and θ, extrapolated to first order and rotated by `turn`.
+//! Fills nodes_along_r, nodes_along_theta, nodes_along_r_r and nodes_along_r_theta so that the
+//! result of moved_nodes() is exact at the station and at the four corners of a cell of camera
+//! positions. They are 0 for nodes that do not see the sky from all five positions. `reach`: half
+//! the extent of the cell along r [M] and θ [rad].
+void add_cell_motion(LensStation& station, const LensPosition& reach, const NodeTracer& trace);
+
+//! Returns the nodes for a camera at `offset` from a station that has derivatives, extrapolated with
+//! all coefficients that the station has, and rotated by `turn`.
 std::vector<float> moved_nodes(const LensStation& station, const LensPosition& offset, const glm::dmat3& turn);
 
 }  // namespace ergodome

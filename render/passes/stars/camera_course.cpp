@@ -22,7 +22,8 @@ bool moves_slowly(Spacetime spacetime, const LensPosition& from, const LensPosit
   const double horizon = horizon_radius(spacetime);
   const double of_height = std::log((to.r - horizon) / (from.r - horizon));
   // The comparison is false for NaN, inside the horizon.
-  return std::hypot(of_height, to.theta - from.theta) / (pictures * position_cell) <= max_cell_part;
+  const double cells = std::hypot(of_height / position_cell_height, (to.theta - from.theta) / position_cell_theta);
+  return cells / pictures <= max_cell_part;
 }
 
 //! Returns whether the camera moves slowly at a time of a show, from its positions a frame before

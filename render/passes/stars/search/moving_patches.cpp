@@ -22,7 +22,7 @@ constexpr double min_cell_height = 0.5;
 constexpr double min_cell_angle = 0.1;
 constexpr int moved_patches_a_chunk = 512;
 
-double middle_of_cell(double coordinate) { return (std::floor(coordinate / position_cell) + 0.5) * position_cell; }
+double middle_of_cell(double coordinate, double extent) { return (std::floor(coordinate / extent) + 0.5) * extent; }
 
 //! Returns the part of a patch that begins at (begin_u, begin_v) and has the given size, a power of
 //! two along each axis.
@@ -55,23 +55,33 @@ std::optional<LensPosition> cell_middle(Spacetime spacetime, const LensPosition&
   if (!(height > min_cell_height && position.theta > min_cell_angle && position.theta < pi - min_cell_angle)) {
     return std::nullopt;
   }
-  return LensPosition{horizon + std::exp(middle_of_cell(std::log(height))), middle_of_cell(position.theta)};
+  return LensPosition{horizon + std::exp(middle_of_cell(std::log(height), position_cell_height)),
+                      middle_of_cell(position.theta, position_cell_theta)};
+}
+
+LensPosition cell_reach(Spacetime spacetime, const LensPosition& middle) {
+  return {std::expm1(0.5 * position_cell_height) * (middle.r - horizon_radius(spacetime)), 0.5 * position_cell_theta};
 }
 
 MovingPatches::MovingPatches(LensStation station, StarPatches patches, MotionRoom& room)
     : station_(std::move(station)),
       patches_(std::move(patches)),
       motions_(std::move(room.motions)),
-      reach_{std::expm1(0.5 * position_cell) * (station_.r - horizon_radius(station_.spacetime)), 0.5 * position_cell} {
+      reach_(cell_reach(station_.spacetime, {station_.r, station_.theta})) {
   const LensPosition middle = {station_.r, station_.theta};
   for (const double side : {-1.0, 1.0}) {
     const LensPosition corner = {middle.r + side * reach_.r, middle.theta + reach_.theta};
     largest_turn_ = std::max(largest_turn_, rotation_angle(frame_rotation(station_.spacetime, middle, corner)));
   }
-  LensGrid along_r = grid_view(station_);
-  LensGrid along_theta = along_r;
-  along_r.nodes = station_.nodes_along_r.data();
-  along_theta.nodes = station_.nodes_along_theta.data();
+  const auto grid_of = [&](const std::vector<float>& nodes) {
+    LensGrid grid = grid_view(station_);
+    grid.nodes = nodes.data();
+    return grid;
+  };
+  const LensGrid along_r = grid_of(station_.nodes_along_r);
+  const LensGrid along_theta = grid_of(station_.nodes_along_theta);
+  const LensGrid along_r_r = grid_of(station_.nodes_along_r_r);
+  const LensGrid along_r_theta = grid_of(station_.nodes_along_r_theta);
   const std::vector<LeafBox> boxes = leaf_boxes(station_);
   std::vector<StarPatch> wider = std::move(patches_).given_up();
   motions_.resize(wider.size());
@@ -90,7 +100,7 @@ MovingPatches::MovingPatches(LensStation station, StarPatches patches, MotionRoo
                                       share(patch.height, 0.0, box.height)),
                         patch.frame);
       };
-      motions_[i] = {motion(along_r), motion(along_theta)};
+      motions_[i] = {motion(along_r), motion(along_theta), motion(along_r_r), motion(along_r_theta)};
       widen(patch, motions_[i]);
     }
   });
@@ -115,13 +125,15 @@ void MovingPatches::widen(StarPatch& patch, const PatchMotion& motion) const {
     const auto length = [](const Vector3<double>& v) { return std::sqrt(dot(v, v)); };
     const Vector3<double> point = control_point(patch.sky, i);
     const double size = std::max(length(point), 1e-3);
-    farthest = std::max(farthest, (reach_.r * length(control_point(motion.along_r, i)) +
-                                   reach_.theta * length(control_point(motion.along_theta, i))) /
-                                      size);
-    cosine = std::min(cosine, point.z / size);
+    const double moves =
+        reach_.r * (length(control_point(motion.along_r, i)) + reach_.r * length(control_point(motion.along_r_r, i)) +
+                    reach_.theta * length(control_point(motion.along_r_theta, i))) +
+        reach_.theta * length(control_point(motion.along_theta, i));
+    farthest = std::max(farthest, moves / size);
+    cosine = std::min(cosine, (point.z - moves) / size);
   }
   // Distances in the plane z = 1 exceed the angles behind them by a factor of 1 / cosine².
-  const double beside = (largest_turn_ + farthest) / std::max(cosine * cosine, 1e-2);
+  const double beside = (largest_turn_ + farthest) / std::max(cosine * std::abs(cosine), 1e-2);
   patch.part = sky_part(frustum_of(patch.sky, patch.frame, static_cast<double>(patch.error) + beside));
 }
 

@@ -10,10 +10,13 @@
 namespace ergodome {
 
 //! Cells of camera positions: in each, one star grid serves all positions. The cells are fixed, so
-//! the grid for a position does not depend on where the camera was before.
-//!
-//! Extent of a cell along the logarithm of the height above the horizon, and along θ [rad].
-inline constexpr double position_cell = 0.005;
+//! the grid for a position does not depend on where the camera was before. These are the extents of
+//! a cell.
+inline constexpr double position_cell_height = 0.03;   //!< along the logarithm of the height above the horizon
+inline constexpr double position_cell_theta = 0.0075;  //!< along θ [rad]
+
+//! Returns the largest offset from the middle of a cell, along r [M] and θ [rad].
+LensPosition cell_reach(Spacetime spacetime, const LensPosition& middle);
 
 //! Returns the middle of the cell that contains a position; nothing where the lens varies too much
 //! within a cell: near the horizon, inside it, and near the spin axis.
@@ -27,13 +30,13 @@ struct MotionRoom {
 
 //! Patches for the search of star images at all camera positions in a cell.
 //!
-//! The patches for the middle of the cell are moved to first order, by the derivatives of the
-//! grid's nodes with respect to the camera's r and θ. That takes a twentieth of the time of
+//! The patches for the middle of the cell are moved by a polynomial in the camera's r and θ, whose
+//! coefficients are those of the grid's nodes (add_cell_motion()). That takes much less time than
 //! tracing and inverting a grid for the position.
 class MovingPatches {
  public:
   //! `station`: the grid of the middle of the cell, built with GridSettings::inverted and
-  //! GridSettings::derivatives. `patches`: the patches for it. Takes the memory of `room.motions`.
+  //! GridSettings::reach. `patches`: the patches for it. Takes the memory of `room.motions`.
   MovingPatches(LensStation station, StarPatches patches, MotionRoom& room);
 
   //! Returns the memory, so that it can be used for another cell.

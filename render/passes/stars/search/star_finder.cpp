@@ -11,6 +11,7 @@
 #include "render/lens/grid/grid_builder.h"
 #include "render/passes/stars/image_observer.h"
 #include "render/passes/stars/refinement/star_refinement.h"
+#include "render/passes/stars/search/moving_patches.h"
 #include "render/passes/stars/search/rough_images.h"
 
 namespace ergodome {
@@ -66,6 +67,7 @@ LensStation build_star_station(const StarEye& eye, const StarSettings& settings,
 LensStation build_moving_station(const EyeCamera& eye, const StarSettings& settings, GridTracer<float>* tracer) {
   GridSettings grid = star_grid(eye, settings);
   grid.derivatives = true;
+  grid.reach = cell_reach(eye.spacetime, {eye.r, eye.theta});
   return build_lens_station(eye.spacetime, eye.r, eye.theta, grid, nullptr, tracer);
 }
 

@@ -32,7 +32,9 @@ TEST(CameraCourseOfAFlight, IsSlowIfTheCameraMovesLittle) {
   EXPECT_TRUE(course_from({8.0, 1.3}, {7.995, 1.3}).slow);
   EXPECT_TRUE(course_from({8.0, 1.3}, {8.0, 1.301}).slow);
   EXPECT_FALSE(course_from({8.0, 1.3}, {8.0, 1.3}).slow) << "it stands";
-  EXPECT_FALSE(course_from({8.0, 1.3}, {7.9, 1.3}).slow) << "it crosses several cells";
+  EXPECT_FALSE(course_from({8.0, 1.3}, {7.5, 1.3}).slow) << "it crosses several cells";
+  EXPECT_TRUE(course_from({8.0, 1.3}, {7.95, 1.3}).slow) << "it crosses a quarter of a cell along r";
+  EXPECT_FALSE(course_from({8.0, 1.3}, {8.0, 1.303}).slow) << "it crosses two fifths of a cell along the polar angle";
   EXPECT_FALSE(course_of(picture_at({8.0, 1.3}, {})).slow) << "nothing is known of it";
 }
 
@@ -88,7 +90,7 @@ TEST(PositionCellsOfAMovingCamera, AreBuiltBeforeTheyAreEntered) {
   Builds builds;
   PositionCells cells(builds.build());
   StarSettings asked;
-  asked.course = {true, LensPosition{-0.005, 0.0}};
+  asked.course = {true, LensPosition{-0.04, 0.0}};
   asked.pixel = pi / 1024;
   const double horizon = horizon_radius(Spacetime{0.9});
   StarEye eye(eye_at_position({0.9, 8.0, 1.3, 0.0, ObserverMotion::zamo}));
@@ -102,7 +104,7 @@ TEST(PositionCellsOfAMovingCamera, AreBuiltBeforeTheyAreEntered) {
     cells.prepare_next(eye, asked);
     const MovingPatches& patches = cells.patches(*middle, asked);
     const LensStation there = patches.station_at({eye.camera.r, eye.camera.theta});
-    EXPECT_NEAR(std::log((there.r - horizon) / (middle->camera.r - horizon)), 0.0, 0.501 * position_cell);
+    EXPECT_NEAR(std::log((there.r - horizon) / (middle->camera.r - horizon)), 0.0, 0.501 * position_cell_height);
     eye.camera.r = eye.camera.head_r = eye.camera.r + asked.course.step->r;
   }
   cells.wait();

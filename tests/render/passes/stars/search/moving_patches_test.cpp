@@ -90,7 +90,36 @@ void compare(const std::vector<StarImage>& images, const std::vector<StarImage>&
 
 class MovingCamera : public testing::TestWithParam<CameraState> {};
 
-// The camera crosses three cells. Stars cross caustics and come out of the shadow's edge on the way,
+// The motion of patches is exact in the middle of a cell and at its corners.
+TEST_P(MovingCamera, SeesTheImagesOfAFullSearchFromAllOverACell) {
+  const StarField field(brightest(sanitized ? 100 : 1000), glm::dmat3(1.0), colours().view());
+  const StarSettings settings = path_settings();
+  EyeCamera eye = eye_at_position(GetParam());
+  const LensPosition middle = *cell_middle(eye.spacetime, {eye.r, eye.theta});
+  const LensPosition reach = cell_reach(eye.spacetime, middle);
+  const MovingPatches cell = patches_around(eye, field, settings);
+  std::size_t compared = 0;
+  std::size_t different = 0;
+  Difference largest;
+  for (const double outward : {-0.98, -0.6, 0.0, 0.6, 0.98}) {
+    for (const double southward : {-0.98, 0.0, 0.98}) {
+      eye.r = eye.head_r = middle.r + outward * reach.r;
+      eye.theta = eye.head_theta = middle.theta + southward * reach.theta;
+      const std::vector<StarImage> images = moved_images(cell, eye, field, settings);
+      const std::vector<StarImage> exact = images_of(field, eye, settings);
+      compared += exact.size();
+      different += images_without_twin(exact, images, settings) + images_without_twin(images, exact, settings);
+      compare(exact, images, settings.pixel, largest);
+    }
+  }
+  EXPECT_GT(compared, sanitized ? 1000U : 10'000U);
+  // Next to a caustic, either search may find only one of two images.
+  EXPECT_LE(different, compared / 10'000);
+  EXPECT_LT(largest.distance_px, 0.1);
+  EXPECT_LT(largest.brightness, 0.03);
+}
+
+// The camera crosses two borders of cells, one along r and one along θ. Stars cross caustics and come out of the shadow's edge on the way,
 // as the camera also goes around the hole.
 TEST_P(MovingCamera, SeesTheImagesOfAFullSearchOnAPathOf600Frames) {
   constexpr int frames = 600;
@@ -98,8 +127,12 @@ TEST_P(MovingCamera, SeesTheImagesOfAFullSearchOnAPathOf600Frames) {
   const StarSettings settings = path_settings();
   EyeCamera eye = eye_at_position(GetParam());
   const double horizon = horizon_radius(eye.spacetime);
+  const LensPosition first_middle = *cell_middle(eye.spacetime, {eye.r, eye.theta});
+  const double first_height = (first_middle.r - horizon) * std::exp(-0.5 * position_cell_height + 0.004);
+  const double first_theta = first_middle.theta + 0.5 * position_cell_theta - 0.003;
   std::optional<MovingPatches> cell;
   LensPosition middle{};
+  int entered = 0;
   std::vector<StarImage> before;
   std::size_t compared = 0;
   std::size_t different = 0;
@@ -107,12 +140,13 @@ TEST_P(MovingCamera, SeesTheImagesOfAFullSearchOnAPathOf600Frames) {
   Difference largest;
   for (int frame = 0; frame < frames; frame += sanitized ? 200 : 1) {
     const double part = static_cast<double>(frame) / frames;
-    eye.r = eye.head_r = horizon + (GetParam().r - horizon) * std::exp(-2.5 * position_cell * part);
-    eye.theta = eye.head_theta = GetParam().theta + 1.2 * position_cell * part;
+    eye.r = eye.head_r = horizon + first_height * std::exp(-0.0125 * part);
+    eye.theta = eye.head_theta = first_theta + 0.006 * part;
     eye.phi = GetParam().phi + 0.8 * part;
     const LensPosition here = *cell_middle(eye.spacetime, {eye.r, eye.theta});
     const bool enters = !cell || !same_position(here, middle);
     if (enters) {
+      ++entered;
       middle = here;
       cell.emplace(patches_around(eye, field, settings));
     }
@@ -124,10 +158,14 @@ TEST_P(MovingCamera, SeesTheImagesOfAFullSearchOnAPathOf600Frames) {
       different += images_without_twin(exact, images, settings) + images_without_twin(images, exact, settings);
       compare(exact, images, settings.pixel, largest);
     }
-    // Only images of successive frames are similar.
-    lost += sanitized ? 0 : images_lost(before, images, settings);
+    // Only images of successive frames are similar. Next to a caustic, the search may have missed the
+    // image with which another then merges, so the full search decides whether one is lost.
+    if (!sanitized && images_lost(before, images, settings) > 0) {
+      lost += images_without_twin(images_of(field, eye, settings), images, settings);
+    }
     before = images;
   }
+  EXPECT_EQ(entered, 3);
   EXPECT_GT(compared, sanitized ? 200U : 10'000U);
   EXPECT_EQ(different, 0U);
   EXPECT_EQ(lost, 0U);
@@ -178,7 +216,7 @@ TEST(MovingPatches, AreCloselyEnclosedByTheirPlanes) {
   for (const double side : {-0.49, 0.0, 0.49}) {
     PatchRoom room;
     const LensStation there =
-        cell.station_at({middle.r + side * position_cell * height, middle.theta + side * position_cell});
+        cell.station_at({middle.r + side * position_cell_height * height, middle.theta + side * position_cell_theta});
     const StarPatches moved = cell.patches_at(there, room);
     for (const StarPatch& patch : moved.patches()) {
       // Patches that reach 90 degrees from their axis keep the planes of all positions in the cell.
@@ -197,7 +235,7 @@ TEST(MovingPatches, AreCloselyEnclosedByTheirPlanes) {
     }
   }
   EXPECT_GT(compared, 10'000U);
-  EXPECT_LT(wide, compared / 1000);
+  EXPECT_LT(wide, compared / 500);
 }
 
 TEST(PositionCells, HoldTheirPositions) {
@@ -205,8 +243,8 @@ TEST(PositionCells, HoldTheirPositions) {
   const double horizon = horizon_radius(spacetime);
   for (double r = 2.5; r < 40.0; r *= 1.1) {
     const LensPosition middle = *cell_middle(spacetime, {r, 1.2});
-    EXPECT_LE(std::abs(std::log((r - horizon) / (middle.r - horizon))), 0.501 * position_cell);
-    EXPECT_LE(std::abs(1.2 - middle.theta), 0.501 * position_cell);
+    EXPECT_LE(std::abs(std::log((r - horizon) / (middle.r - horizon))), 0.501 * position_cell_height);
+    EXPECT_LE(std::abs(1.2 - middle.theta), 0.501 * position_cell_theta);
     EXPECT_TRUE(same_position(*cell_middle(spacetime, middle), middle));
   }
 }
@@ -230,7 +268,7 @@ TEST(StarsOfASlowCamera, DoNotDependOnEarlierPictures) {
   const Projection projection = make_dome_projection(512, pi, 0.5);
   EyeCamera eye = eye_at_position({0.9, 8.0, 1.3, 0.2, ObserverMotion::zamo});
   std::vector<StarPoint> points;
-  const LensPosition step = {-0.01, 0.0};
+  const LensPosition step = {-0.04, 0.0};
   for (int frame = 0; frame < 12; ++frame) {
     eye.r = eye.head_r = 8.0 + step.r * frame;
     points = passing.find(eye, projection, {}, PixelMatch::exact, {true, step});
