@@ -66,8 +66,8 @@ bool register_scenes() {
     for (const SceneName& content : scene_contents) {
       for (std::size_t camera = 0; camera < cameras.size(); ++camera) {
         for (const int size : {512, 1024, 2048, 4096}) {
-          // A moving camera enters a new cell of star patches about every 150 frames, so these frames do
-          // not show the time of a cell.
+          // A moving camera enters a new cell of star patches about every 150 frames, so the time of
+          // a cell is mostly not in these frames.
           const int frames = camera == 2 ? 30 : 6;
           benchmark::RegisterBenchmark(
               fmt::format("scene/{}/{}/{}", eyes.name, content.name, cameras.at(camera)).c_str(),

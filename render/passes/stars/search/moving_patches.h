@@ -35,8 +35,8 @@ struct MotionRoom {
 //! tracing and inverting a grid for the position.
 class MovingPatches {
  public:
-  //! `station`: the grid of the middle of the cell, built with GridSettings::inverted and
-  //! GridSettings::reach. `patches`: the patches for it. Takes the memory of `room.motions`.
+  //! `station`: the grid of the middle of the cell, from build_moving_station(). `patches`: the
+  //! patches for it. Takes the memory of `room.motions`.
   MovingPatches(LensStation station, StarPatches patches, MotionRoom& room);
 
   //! Returns the memory, so that it can be used for another cell.

@@ -119,8 +119,8 @@ TEST_P(MovingCamera, SeesTheImagesOfAFullSearchFromAllOverACell) {
   EXPECT_LT(largest.brightness, 0.03);
 }
 
-// The camera crosses two borders of cells, one along r and one along θ. Stars cross caustics and come out of the shadow's edge on the way,
-// as the camera also goes around the hole.
+// The camera crosses two borders of cells, one along r and one along θ. As it also goes around the
+// hole, stars cross caustics and come out of the shadow's edge on the way.
 TEST_P(MovingCamera, SeesTheImagesOfAFullSearchOnAPathOf600Frames) {
   constexpr int frames = 600;
   const StarField field(brightest(sanitized ? 100 : 1000), glm::dmat3(1.0), colours().view());
